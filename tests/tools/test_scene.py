@@ -104,10 +104,11 @@ def test_rest_length_defaults_to_the_distance_of_the_anchors() -> None:
     assert read(data).springs[0].rest_length == pytest.approx(4)
 
 
-def test_a_clockwise_polygon_is_turned_round_and_centred() -> None:
-    corners = list(read(GOOD).shapes["wedge"].corners)
-    assert geometry.area(corners) == pytest.approx(0.5)
-    assert geometry.centroid(corners) == pytest.approx((0, 0), abs=1e-12)
+def test_a_clockwise_polygon_is_turned_round_in_place() -> None:
+    wedge = read(GOOD).shapes["wedge"]
+    assert wedge.area == pytest.approx(0.5)
+    assert wedge.centre == pytest.approx((1 / 3, 1 / 3))
+    assert set(wedge.corners) == {(0, 0), (1, 0), (0, 1)}
 
 
 @pytest.mark.parametrize(
@@ -138,12 +139,14 @@ def test_a_clockwise_polygon_is_turned_round_and_centred() -> None:
         ("materials/default/kinetic_friction", 9, "materials.default.kinetic_friction", "at most 8"),
         ("materials/default/kinetic_friction", ..., "materials.default.kinetic_friction", "missing"),
         ("materials/default/bounce", 1, "materials.default.bounce", "unknown field"),
-        ("shapes/ball/circle", 0, "shapes.ball.circle", "more than 0"),
+        ("shapes/ball/circle", 0, "shapes.ball.circle", "at least 0.001"),
+        ("shapes/ball/circle", 251, "shapes.ball.circle", "at most 250"),
+        ("shapes/crate/box", [400, 400], "shapes.crate.box", "reaches 282"),
         ("shapes/ball/circle", "big", "shapes.ball.circle", "must be a number"),
         ("shapes/ball", {}, "shapes.ball", "exactly one of"),
         ("shapes/ball/box", [1, 1], "shapes.ball", "exactly one of"),
         ("shapes/ball/capsule", 1, "shapes.ball.capsule", "unknown field"),
-        ("shapes/crate/box", [1, -1], "shapes.crate.box[1]", "more than 0"),
+        ("shapes/crate/box", [1, -1], "shapes.crate.box[1]", "at least 0.001"),
         ("shapes/hexagon/regular/sides", 9, "shapes.hexagon.regular.sides", "at most 8"),
         ("shapes/hexagon/regular/sides", 2, "shapes.hexagon.regular.sides", "at least 3"),
         ("shapes/hexagon/regular/radius", ..., "shapes.hexagon.regular.radius", "missing"),
@@ -158,6 +161,8 @@ def test_a_clockwise_polygon_is_turned_round_and_centred() -> None:
         ("bodies/0/material", "butter", "bodies[0].material", 'no material named "butter"'),
         ("bodies/0/type", "kinematic", "bodies[0].type", "must be one of"),
         ("bodies/1/density", 0, "bodies[1].density", "more than 0"),
+        ("bodies/1/density", 1e-9, "bodies[1].density", "mass"),
+        ("materials/default/kinetic_friction", 0.6, "materials.default.kinetic_friction", "at most static_friction"),
         ("bodies/1/layer", -1, "bodies[1].layer", "at least 0"),
         ("bodies/1/mask", 0.5, "bodies[1].mask", "whole number"),
         ("bodies/1/weight", 3, "bodies[1].weight", "unknown field"),

@@ -144,7 +144,7 @@ def _strokes(
     for i, body in enumerate(scene.bodies):
         if body.static:
             out += _static_body(scene.shape_of(body), poses[last, i], view)
-    earlier = [round(last * k / (ghosts + 1)) for k in range(ghosts + 1)] if ghosts and last else []
+    earlier = [round(last * k / ghosts) for k in range(ghosts)] if last else []
     for k in earlier:
         for i, body in enumerate(scene.bodies):
             # A body that has not moved since would only thicken its own outline.
@@ -171,10 +171,11 @@ def _corners(shape: Shape, pose: NDArray[np.float64]) -> list[Point]:
 def _moving_body(shape: Shape, pose: NDArray[np.float64], index: int, view: View, strength: float) -> list[Stroke]:
     fill, line = (_faded(colour, strength) for colour in BODY_COLOURS[index % len(BODY_COLOURS)])
     x, y, angle = map(float, pose)
+    x, y = geometry.placed([shape.centre], x, y, angle)[0]
     centre = view.pixel((x, y))
     if shape.corners:
         outline = [view.pixel(p) for p in _corners(shape, pose)]
-        mark = 0.8 * geometry.inside_by(list(shape.corners), (0.0, 0.0))
+        mark = 0.8 * geometry.inside_by(list(shape.corners), shape.centre)
         body = Stroke(outline, line, 1.4, fill=fill, closed=True)
     else:
         mark = shape.radius

@@ -19,8 +19,10 @@ SCHEMA_FILE = Path(__file__).with_name("scene.schema.json")
 SCENES_DIR = Path(__file__).parents[2] / "examples" / "scenes"
 ALL_LAYERS = 0xFFFF
 
-# Two corners nearer than this are one point, and no polygon is thinner (Q16.16 has 1.5e-5 m).
+# The engine's limits (include/cairn/shape.h, body.h): metres of radius or thickness, kilograms.
 SMALLEST_LENGTH = 1e-3
+LARGEST_REACH = 250
+MASSES = (1e-7, 1e9)
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ PRESETS = {
 
 @dataclass(frozen=True)
 class Shape:
-    """A circle (radius, no corners) or a convex polygon (corners anticlockwise about its centroid)."""
+    """A circle (radius, no corners) or a convex polygon (corners anticlockwise). The origin is the body's position."""
 
     kind: str
     radius: float
@@ -52,8 +54,13 @@ class Shape:
     size: tuple[float, ...] = ()
 
     @property
+    def centre(self) -> Point:
+        """Centre of area: what the body turns about."""
+        return geometry.centroid(list(self.corners)) if self.corners else (0.0, 0.0)
+
+    @property
     def reach(self) -> float:
-        """Distance of the farthest point from the centre."""
+        """Distance of the farthest point from the origin."""
         return max((math.hypot(*p) for p in self.corners), default=self.radius)
 
     @property
@@ -260,6 +267,9 @@ def _explained(error: jsonschema.ValidationError, path: list[Any]) -> tuple[list
 
 def _build(data: dict[str, Any], path: Path) -> Scene:
     materials = {name: Material(**values) for name, values in data.get("materials", {}).items()}
+    for name, material in materials.items():
+        if material.kinetic_friction > material.static_friction:
+            _fail(["materials", name, "kinetic_friction"], "must be at most static_friction")
     shapes = {name: _shape(values, ["shapes", name]) for name, values in data["shapes"].items()}
     bodies = []
     for i, values in enumerate(data["bodies"]):
@@ -268,6 +278,9 @@ def _build(data: dict[str, Any], path: Path) -> Scene:
             _fail(["bodies", i, "shape"], f"no shape named {_shown(body.shape)} in shapes")
         if body.material not in materials and body.material not in PRESETS:
             _fail(["bodies", i, "material"], f"no material named {_shown(body.material)} in materials or built in")
+        mass = body.density * shapes[body.shape].area
+        if not body.static and not MASSES[0] <= mass <= MASSES[1]:
+            _fail(["bodies", i, "density"], f"gives a mass of {mass:g} kg; it must be {MASSES[0]:g} to {MASSES[1]:g}")
         bodies.append(body)
     springs = [_spring(values, bodies, ["springs", i]) for i, values in enumerate(data.get("springs", []))]
     options = ("steps_per_second", "substeps", "solver", "passes", "broad_phase", "sleep")
@@ -293,15 +306,19 @@ def _shape(values: dict[str, Any], path: list[Any]) -> Shape:
     if kind == "circle":
         return Shape("circle", value, size=(value,))
     if kind == "box":
-        return Shape("box", 0.0, tuple(geometry.box(*value)), size=tuple(value))
-    if kind == "regular":
+        shape = Shape("box", 0.0, tuple(geometry.box(*value)), size=tuple(value))
+    elif kind == "regular":
         corners = geometry.regular(value["sides"], value["radius"])
-        return Shape("regular", 0.0, tuple(corners), size=(value["sides"], value["radius"]))
-    return Shape("polygon", 0.0, tuple(_convex([_pair(p) for p in value], path)))
+        shape = Shape("regular", 0.0, tuple(corners), size=(value["sides"], value["radius"]))
+    else:
+        shape = Shape("polygon", 0.0, tuple(_convex([_pair(p) for p in value], path)))
+    if shape.reach > LARGEST_REACH:
+        _fail(path, f"reaches {shape.reach:g} m from its origin; at most {LARGEST_REACH} m")
+    return shape
 
 
 def _convex(points: list[Point], path: list[Any]) -> list[Point]:
-    """The hull about its centroid, of points that must all be on it and span an area."""
+    """The hull of points that must all be on it and span an area."""
     for i, p in enumerate(points):
         for q in points[:i]:
             if math.dist(p, q) < SMALLEST_LENGTH:
@@ -313,8 +330,7 @@ def _convex(points: list[Point], path: list[Any]) -> list[Point]:
     for i, p in enumerate(points):
         if geometry.inside_by(corners, p) > SMALLEST_LENGTH:
             _fail([*path, i], "concave: this point lies inside the others' hull")
-    cx, cy = geometry.centroid(corners)
-    return [(x - cx, y - cy) for x, y in corners]
+    return corners
 
 
 def _spring(values: dict[str, Any], bodies: list[Body], path: list[Any]) -> Spring:
