@@ -1,0 +1,71 @@
+/*
+ * A scene as a constant table: what a JSON scene file says, in a form that fits in flash. The converter
+ * (`tools/cairn table`) writes such tables; the host's loader (scene_json.h) fills one from a file.
+ */
+#ifndef CAIRN_SCENE_H
+#define CAIRN_SCENE_H
+
+#include <cairn/cairn.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cairn_scene_body {
+    uint16_t shape, material; /* places in the scene's tables */
+    cairn_body_type type;
+    cairn_vec2 position;
+    cairn_angle angle;
+    cairn_vec2 velocity;
+    cairn_real angular_velocity;
+    cairn_wide density;
+    uint16_t layer, mask;
+    bool sensor, fixed_rotation, fixed_position;
+} cairn_scene_body;
+
+typedef struct cairn_scene_spring {
+    uint16_t a, b; /* places in bodies */
+    cairn_vec2 anchor_a, anchor_b;
+    cairn_real rest_length;        /* negative: as placed */
+    cairn_wide stiffness, damping; /* or, where frequency is not 0: */
+    cairn_real frequency, damping_ratio;
+    bool no_contact;
+} cairn_scene_spring;
+
+typedef enum cairn_scene_solver { CAIRN_SCENE_SOFT, CAIRN_SCENE_SLIDES } cairn_scene_solver;
+typedef enum cairn_scene_broad { CAIRN_SCENE_PAIRS, CAIRN_SCENE_QUADTREE } cairn_scene_broad;
+
+typedef struct cairn_scene {
+    const char *name;
+    cairn_vec2 gravity;
+    cairn_real rate;
+    uint8_t substeps, passes;
+    cairn_scene_solver solver;
+    cairn_scene_broad broad;
+    bool sleep;
+    uint16_t material_count, shape_count, body_count, spring_count;
+    const cairn_material *materials;
+    const cairn_shape *const *shapes;
+    const cairn_scene_body *bodies;
+    const cairn_scene_spring *springs;
+} cairn_scene;
+
+/* The memory a scene is built in. Springs and tree may be null where the scene has none. */
+typedef struct cairn_scene_storage {
+    const cairn_world_storage *world;
+    const cairn_spring_storage *springs;
+    const cairn_quadtree_storage *tree;
+} cairn_scene_storage;
+
+/*
+ * Build the scene. ids and spring_ids, where not null, receive the ids in the order of the tables.
+ * Null on error; *error then says why and *place which body (or body_count + spring).
+ */
+cairn_world *cairn_scene_build(const cairn_scene *scene, const cairn_scene_storage *storage, cairn_body_id *ids,
+                               cairn_spring_id *spring_ids, cairn_status *error, int *place);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,66 @@
+/*
+ * An arbiter is all there is to know of one pair's collision. It lives from the step in which the pair comes within
+ * reach until the step in which it leaves it, and keeps the impulses from step to step (warm starting).
+ */
+#ifndef CAIRN_ARBITER_H
+#define CAIRN_ARBITER_H
+
+#include "body.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One contact point's row. Impulses are in sub-step units: impulse * h * (1/mA + 1/mB), see DESIGN.md. */
+typedef struct cairn_row {
+    cairn_motion impulse;    /* accumulated, never negative */
+    cairn_motion separation; /* at the start of the step; negative when penetrating */
+    cairn_lever lever_a, lever_b;
+    cairn_ratio mass; /* effective mass over the reduced mass */
+    uint8_t feature;  /* which corner of which edge: matches points from step to step */
+} cairn_row;
+
+typedef struct cairn_arbiter {
+    uint16_t a, b; /* indices of the bodies; the normal points from a to b */
+    uint8_t count; /* contact points: 0 to 2 */
+    uint8_t flags;
+    cairn_dir normal_x, normal_y;
+    cairn_share share_a, share_b; /* (1/m) / (1/mA + 1/mB): what each takes of a relative velocity change */
+    cairn_row rows[2];
+    cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
+    cairn_lever friction_lever_a, friction_lever_b;
+    cairn_ratio friction_mass;
+    cairn_factor static_friction, kinetic_friction;
+} cairn_arbiter;
+
+typedef struct cairn_contact_point {
+    cairn_vec2 position;   /* in the world, between the two surfaces, m */
+    cairn_real separation; /* m, negative when penetrating */
+    cairn_real impulse;    /* along the normal in the last sub-step, N s */
+} cairn_contact_point;
+
+/* A collision as a game sees it. */
+typedef struct cairn_contact {
+    cairn_body_id a, b;
+    cairn_vec2 normal; /* unit, from a to b */
+    int count;
+    cairn_contact_point points[2];
+    bool touching; /* the shapes touch, or pushed one another in this step; else they are merely near */
+    bool began;    /* and did not in the step before */
+    bool sensor;   /* one of them is a sensor */
+} cairn_contact;
+
+/*
+ * Walk all contacts: start with *cursor = 0, call until false. Between two calls the world may not change.
+ * Positions and separations are those of the bodies' present poses.
+ */
+bool cairn_world_next_contact(struct cairn_world *world, int *cursor, cairn_contact *contact);
+
+/* Walk the bodies that this one touched in the last step: start with *cursor = 0, call until false. */
+bool cairn_body_next_touched(struct cairn_world *world, cairn_body_id id, int *cursor, cairn_body_id *other);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,151 @@
+/*
+ * The double-precision definition of every operation of arith_fixed.h: the same names, no rounding. For the host
+ * only, and the only place of the engine that knows floating point. Limits that are part of the algorithm (speed
+ * caps, clamps to a lever's bound) are kept; limits of a format are not.
+ */
+#ifndef CAIRN_ARITH_DOUBLE_H
+#define CAIRN_ARITH_DOUBLE_H
+
+#include <math.h>
+
+typedef double cairn_real;
+typedef double cairn_angle; /* radians, unbounded */
+typedef double cairn_motion;
+typedef double cairn_offset;
+typedef double cairn_unit;
+typedef double cairn_dir;
+typedef double cairn_lever;
+typedef double cairn_ratio;
+typedef double cairn_share;
+typedef double cairn_factor;
+typedef double cairn_wide;
+typedef uint8_t cairn_residue; /* nothing lies below a double's last bit */
+
+#define CAIRN_PI 3.14159265358979323846
+#define CAIRN_F(x) ((cairn_real)(x))
+#define CAIRN_RADIANS(x) ((cairn_angle)(x))
+#define CAIRN_DEGREES(x) ((cairn_angle)((x) * (CAIRN_PI / 180.0)))
+#define CAIRN_MOTION(x) ((cairn_motion)(x))
+#define CAIRN_OFFSET(x) ((cairn_offset)(x))
+#define CAIRN_UNIT(x) ((cairn_unit)(x))
+#define CAIRN_RATIO(x) ((cairn_ratio)(x))
+#define CAIRN_SHARE(x) ((cairn_share)(x))
+#define CAIRN_FACTOR(x) ((cairn_factor)(x))
+
+#define CAIRN_REAL_MAX 32767.999984741211 /* the world is as large as in fixed point */
+#define CAIRN_LEVER_MAX 2.8284271247461903
+
+static inline double cairn_clamp(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+
+static inline cairn_real cairn_real_add(cairn_real a, cairn_real b) { return a + b; }
+static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return a - b; }
+static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return a * b; }
+static inline cairn_real cairn_real_from_int(int32_t x) { return x; }
+static inline int32_t cairn_real_floor(cairn_real x) { return (int32_t)floor(x); }
+static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
+static inline cairn_real cairn_real_divide(cairn_real a, cairn_real b)
+{
+    return b != 0 ? a / b : a > 0 ? CAIRN_REAL_MAX : a < 0 ? -CAIRN_REAL_MAX : 0;
+}
+static inline cairn_real cairn_real_sqrt(cairn_real x) { return x > 0 ? sqrt(x) : 0; }
+static inline cairn_real cairn_real_length(cairn_real x, cairn_real y) { return sqrt(x * x + y * y); }
+
+static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return a + b; }
+static inline void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine)
+{
+    *cosine = cos(angle);
+    *sine = sin(angle);
+}
+static inline cairn_angle cairn_angle_of(cairn_real y, cairn_real x) { return atan2(y, x); }
+static inline cairn_real cairn_angle_radians(cairn_angle a) { return remainder(a, 2 * CAIRN_PI); }
+static inline cairn_angle cairn_angle_from_radians(cairn_real radians) { return radians; }
+
+static inline cairn_wide cairn_wide_of(double x, int exponent) { return ldexp(fabs(x), exponent); }
+static inline cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b) { return a * b; }
+static inline cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b) { return b != 0 ? a / b : 0; }
+static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a + b; }
+static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
+static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
+static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
+static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
+static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return fabs(x); }
+static inline cairn_wide cairn_wide_from_int(int32_t x) { return x; }
+static inline cairn_real cairn_wide_to_real(cairn_wide k) { return k; }
+static inline cairn_share cairn_wide_to_share(cairn_wide k) { return k; }
+static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return k; }
+static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return x * k; }
+static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return x * k; }
+static inline cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration) { return x * inverse_gyration; }
+static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
+{
+    return cairn_clamp(arm * inverse_gyration, CAIRN_LEVER_MAX);
+}
+
+static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
+{
+    double moved = *x + by;
+    *residue = 0;
+    *x = cairn_clamp(moved, CAIRN_REAL_MAX);
+    return *x == moved;
+}
+static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
+{
+    (void)from_residue;
+    (void)to_residue;
+    return to - from;
+}
+static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
+{
+    (void)residue;
+    return x;
+}
+static inline cairn_residue cairn_residue_zero(void) { return 0; }
+
+static inline cairn_offset cairn_offset_from_real(cairn_real x) { return x; }
+static inline cairn_real cairn_real_from_offset(cairn_offset x) { return x; }
+static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return x; }
+static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return x; }
+static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
+static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }
+static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by) { return ax * bx + ay * by; }
+static inline cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b) { return a / b; }
+static inline cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
+{
+    double length = sqrt(x * x + y * y);
+    *ux = length > 0 ? x / length : 1;
+    *uy = length > 0 ? y / length : 0;
+    return length;
+}
+static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return u; }
+static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return d; }
+static inline cairn_real cairn_real_from_unit(cairn_unit u) { return u; }
+static inline cairn_dir cairn_dir_negate(cairn_dir d) { return -d; }
+
+static inline cairn_motion cairn_motion_clamp(cairn_motion x, cairn_motion limit) { return cairn_clamp(x, limit); }
+static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return a + b; }
+static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return a * d; }
+static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }
+static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
+static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
+static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f) { return a * f; }
+
+typedef struct cairn_diffused {
+    cairn_motion whole;
+} cairn_diffused;
+static inline cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
+{
+    cairn_diffused d;
+    d.whole = x * k;
+    return d;
+}
+static inline cairn_motion cairn_diffuse(cairn_diffused *d) { return d->whole; }
+
+static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
+static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }
+static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k) { return s * j * k; }
+static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }
+static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return a * b; }
+static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return sqrt(a * b); }
+
+#endif

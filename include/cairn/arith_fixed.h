@@ -1,0 +1,279 @@
+/*
+ * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
+ * products are rounded to nearest, halves upwards, unless an operation says otherwise.
+ * A port may replace the few primitives of the first section by faster code that gives the same bits:
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, CAIRN_PORT_MUL32, CAIRN_PORT_DOT32 or CAIRN_PORT_CLZ.
+ */
+#ifndef CAIRN_ARITH_FIXED_H
+#define CAIRN_ARITH_FIXED_H
+
+#ifdef CAIRN_ARITH_PORT
+#include CAIRN_ARITH_PORT
+#endif
+
+typedef int32_t cairn_real;
+typedef int32_t cairn_angle;
+typedef int32_t cairn_motion;
+typedef int32_t cairn_offset;
+typedef int32_t cairn_unit;
+typedef int16_t cairn_dir;
+typedef int16_t cairn_lever;
+typedef int16_t cairn_ratio;
+typedef int32_t cairn_share;
+typedef int32_t cairn_factor;
+typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
+
+/* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
+typedef struct cairn_wide {
+    uint32_t mantissa;
+    int32_t exponent;
+} cairn_wide;
+
+/* What the engine takes for granted of the compiler. */
+typedef char cairn_assert_arithmetic_shift[((-3) >> 1) == -2 ? 1 : -1];
+typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ? 1 : -1];
+
+/* Constants, evaluated by the compiler; x is a plain number. */
+#define CAIRN_ROUND(x, scale) ((x) * (scale) + ((x) < 0 ? -0.5 : 0.5))
+#define CAIRN_F(x) ((cairn_real)CAIRN_ROUND(x, 65536.0))
+#define CAIRN_RADIANS(x) ((cairn_angle)(uint32_t)(int64_t)CAIRN_ROUND(x, 683565275.57643158))
+#define CAIRN_DEGREES(x) ((cairn_angle)(uint32_t)(int64_t)CAIRN_ROUND(x, 11930464.711111111))
+#define CAIRN_MOTION(x) ((cairn_motion)CAIRN_ROUND(x, 268435456.0))
+#define CAIRN_OFFSET(x) ((cairn_offset)CAIRN_ROUND(x, 4194304.0))
+#define CAIRN_UNIT(x) ((cairn_unit)CAIRN_ROUND(x, 1073741824.0))
+#define CAIRN_RATIO(x) ((cairn_ratio)CAIRN_ROUND(x, 16384.0))
+#define CAIRN_SHARE(x) ((cairn_share)CAIRN_ROUND(x, 1073741824.0))
+#define CAIRN_FACTOR(x) ((cairn_factor)CAIRN_ROUND(x, 1048576.0))
+
+#define CAIRN_REAL_MAX INT32_MAX
+#define CAIRN_LEVER_MAX 23170 /* 2 sqrt(2): the farthest a convex body's edge lies from its centre, over its gyration radius */
+
+/* ---- primitives ---- */
+
+/* a * b / 2^shift; b in 16 bits, 1 <= shift <= 16. The result must fit. */
+static inline int32_t cairn_mul16(int32_t a, int32_t b, int shift)
+{
+#ifdef CAIRN_PORT_MUL16
+    return CAIRN_PORT_MUL16(a, b, shift);
+#else
+    return (int32_t)(((int64_t)a * b + ((int64_t)1 << (shift - 1))) >> shift);
+#endif
+}
+
+/* a * b / 2^shift, 1 <= shift <= 32. The result must fit. */
+static inline int32_t cairn_mul32(int32_t a, int32_t b, int shift)
+{
+#ifdef CAIRN_PORT_MUL32
+    return CAIRN_PORT_MUL32(a, b, shift);
+#else
+    return (int32_t)(((int64_t)a * b + ((int64_t)1 << (shift - 1))) >> shift);
+#endif
+}
+
+/* (a * b + c * d) / 2^shift, rounded once, 1 <= shift <= 32. The result must fit. */
+static inline int32_t cairn_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
+{
+#ifdef CAIRN_PORT_DOT32
+    return CAIRN_PORT_DOT32(a, b, c, d, shift);
+#else
+    return (int32_t)(((int64_t)a * b + (int64_t)c * d + ((int64_t)1 << (shift - 1))) >> shift);
+#endif
+}
+
+/* (a * b + c * d) / 2^14, b and d components of a cairn_dir (at most 2^14 in size), rounded once. The result must fit. */
+static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+#ifdef CAIRN_PORT_DOT16
+    return CAIRN_PORT_DOT16(a, b, c, d);
+#else
+    return (int32_t)(((int64_t)a * b + (int64_t)c * d + 8192) >> 14);
+#endif
+}
+
+/* Zero bits above the highest set bit; 32 for 0. */
+static inline int cairn_clz(uint32_t x)
+{
+#ifdef CAIRN_PORT_CLZ
+    return CAIRN_PORT_CLZ(x);
+#else
+    int n = 32;
+    if (x >> 16) { n -= 16; x >>= 16; }
+    if (x >> 8) { n -= 8; x >>= 8; }
+    if (x >> 4) { n -= 4; x >>= 4; }
+    if (x >> 2) { n -= 2; x >>= 2; }
+    if (x >> 1) { return n - 2; }
+    return n - (int)x;
+#endif
+}
+
+/* x into the 32-bit range. */
+static inline int32_t cairn_clamp64(int64_t x)
+{
+    return x > INT32_MAX ? INT32_MAX : x < -INT32_MAX ? -INT32_MAX : (int32_t)x;
+}
+
+/* x into [-limit, limit]. */
+static inline int32_t cairn_clamp(int32_t x, int32_t limit)
+{
+    return x > limit ? limit : x < -limit ? -limit : x;
+}
+
+/* ---- cairn_real: Q16.16, saturating ---- */
+
+static inline cairn_real cairn_real_add(cairn_real a, cairn_real b) { return cairn_clamp64((int64_t)a + b); }
+static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return cairn_clamp64((int64_t)a - b); }
+static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return cairn_clamp64(((int64_t)a * b + 32768) >> 16); }
+static inline cairn_real cairn_real_from_int(int32_t x) { return cairn_clamp64((int64_t)x * 65536); }
+static inline int32_t cairn_real_floor(cairn_real x) { return x >> 16; }
+static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
+
+/* a / b rounded to nearest, halves away from zero; saturates, also for b = 0 (with the sign of a; 0 / 0 is 0). */
+cairn_real cairn_real_divide(cairn_real a, cairn_real b);
+/* Square root rounded to nearest; 0 for negative x. */
+cairn_real cairn_real_sqrt(cairn_real x);
+/* Length of (x, y), rounded to nearest; saturates. */
+cairn_real cairn_real_length(cairn_real x, cairn_real y);
+
+/* ---- angles ---- */
+
+static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+/* Cosine and sine, each within 4 units of Q2.30. */
+void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine);
+/* The direction of (x, y), within 4 units of the binary angle; 0 for (0, 0). */
+cairn_angle cairn_angle_of(cairn_real y, cairn_real x);
+/* Radians in (-pi, pi]. */
+static inline cairn_real cairn_angle_radians(cairn_angle a) { return cairn_mul32(a, 1686629713, 32) >> 12; }
+/* Any number of radians. */
+cairn_angle cairn_angle_from_radians(cairn_real radians);
+
+/* ---- cairn_wide: positive magnitudes of any size, relative error below 2^-31 an operation ---- */
+
+cairn_wide cairn_wide_of(int32_t x, int exponent); /* |x| * 2^exponent */
+cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b);
+cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b); /* b = 0 gives zero */
+cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b);
+cairn_wide cairn_wide_sqrt(cairn_wide a);
+/* x * k * 2^exponent, rounded to nearest, saturated to +-INT32_MAX. */
+int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
+static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
+static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
+{
+    if (a.mantissa == 0 || b.mantissa == 0) { return a.mantissa < b.mantissa; }
+    return a.exponent != b.exponent ? a.exponent < b.exponent : a.mantissa < b.mantissa;
+}
+static inline cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
+static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
+static inline cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
+static inline cairn_real cairn_wide_to_real(cairn_wide k) { return cairn_wide_scale(1, k, 16); }
+static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_scale(1, k, 30); }
+static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }
+static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return cairn_wide_scale(x, k, 12); }
+static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, -12); }
+/* A displacement times the inverse of the radius of gyration: the angle turned. */
+static inline cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
+{
+    return cairn_wide_scale(cairn_mul32(x, 683565276, 30), inverse_gyration, 2); /* 2^32 / 2 pi = 4 * 2/pi * 2^28 */
+}
+/* An arm over the radius of gyration. */
+static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
+{
+    return (cairn_lever)cairn_clamp(cairn_wide_scale(arm, inverse_gyration, -9), CAIRN_LEVER_MAX);
+}
+
+/* ---- coordinates: a cairn_real and its residue make a position in steps of 2^-28 m ---- */
+
+/* Move a coordinate by a displacement; false if the edge of the world stopped it. */
+static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
+{
+    int32_t low = by + (int32_t)*residue; /* |by| stays a residue below 8 m */
+    int64_t moved = (int64_t)*x + (low >> 12);
+    *residue = (cairn_residue)(low & 4095);
+    *x = cairn_clamp64(moved);
+    return moved == *x;
+}
+/* To minus from. Both must lie within 512 m of one another. */
+static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
+{
+    return (int32_t)((uint32_t)(to - from) << 6) + (((int32_t)to_residue - (int32_t)from_residue) >> 6);
+}
+/* The nearest API number. */
+static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
+{
+    return residue >= 2048 && x < INT32_MAX ? x + 1 : x;
+}
+static inline cairn_residue cairn_residue_zero(void) { return 0; }
+
+/* ---- cairn_offset and cairn_unit ---- */
+
+static inline cairn_offset cairn_offset_from_real(cairn_real x) { return (cairn_offset)((uint32_t)x << 6); } /* |x| < 512 m */
+static inline cairn_real cairn_real_from_offset(cairn_offset x) { return (x + 32) >> 6; }
+static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return (cairn_motion)((uint32_t)cairn_clamp(x, 33554431) << 6); }
+static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x + 32) >> 6; }
+static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return cairn_mul32(a, u, 30); }
+/* ax ux + ay uy */
+static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy)
+{
+    return cairn_dot32(ax, ux, ay, uy, 30);
+}
+static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by)
+{
+    return cairn_dot32(ax, bx, ay, by, 30);
+}
+/* a / b as a fraction in [0, 1]; 0 < b, 0 <= a <= b. */
+cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b);
+/* The unit vector along (x, y), within 2^-28, and the length; (1, 0) and 0 if both are zero. */
+cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy);
+static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return (cairn_dir)((u + 32768) >> 16); }
+static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return (cairn_unit)((uint32_t)(int32_t)d << 16); }
+static inline cairn_real cairn_real_from_unit(cairn_unit u) { return (u + 8192) >> 14; }
+static inline cairn_dir cairn_dir_negate(cairn_dir d) { return (cairn_dir)-d; }
+
+/* ---- cairn_motion: the solver's sweeps ---- */
+
+static inline cairn_motion cairn_motion_clamp(cairn_motion x, cairn_motion limit) { return cairn_clamp(x, limit); }
+static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return cairn_clamp64((int64_t)a + b); }
+/* x dx + y dy */
+static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy)
+{
+    return cairn_dot16(x, dx, y, dy);
+}
+static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return cairn_mul16(a, d, 14); }
+static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return cairn_mul16(a, j, 13); }
+static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
+static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return cairn_mul32(a, s, 30); }
+/* a times a coefficient; saturates */
+static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
+{
+    return cairn_clamp64(((int64_t)a * f + 524288) >> 20);
+}
+
+/* A constant change per sub-step that is smaller than its last bit can say: the rest is carried from call to call. */
+typedef struct cairn_diffused {
+    cairn_motion whole;
+    uint32_t fraction, carry;
+} cairn_diffused;
+
+/* x * k */
+cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k);
+static inline cairn_motion cairn_diffuse(cairn_diffused *d)
+{
+    d->carry += d->fraction;
+    return d->whole + (d->carry < d->fraction ? 1 : 0);
+}
+
+/* ---- coefficients ---- */
+
+static inline cairn_factor cairn_factor_from_real(cairn_real x) { return (cairn_factor)((uint32_t)cairn_clamp(x, 134217727) << 4); }
+static inline cairn_factor cairn_factor_from_share(cairn_share s) { return (s + 512) >> 10; }
+/* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin. */
+static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k)
+{
+    return cairn_mul32(s, (int32_t)j * k, 32) >> 4; /* Q30 * Q26 = Q56 -> Q20 */
+}
+/* 1 / f, at most 2; relative error below 2^-13. */
+cairn_ratio cairn_factor_inverse(cairn_factor f);
+static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return (cairn_ratio)(((int32_t)a * b + 8192) >> 14); }
+/* sqrt(a b), both non-negative, rounded to nearest. */
+cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b);
+
+#endif

@@ -1,0 +1,60 @@
+/*
+ * The bounded quadtree, a broad phase for worlds of more than about fifty bodies. It is rebuilt every step in memory
+ * of fixed size. A full pool makes leaves longer; no pair is ever lost, and bodies outside of its bounds still collide.
+ */
+#ifndef CAIRN_QUADTREE_H
+#define CAIRN_QUADTREE_H
+
+#include "world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cairn_quadtree_cell {
+    uint16_t child; /* the first of four, or 0 for a leaf */
+    uint16_t first; /* entry list of a leaf */
+    uint16_t count;
+} cairn_quadtree_cell;
+
+typedef struct cairn_quadtree_entry {
+    uint16_t body;
+    uint16_t next;
+} cairn_quadtree_entry;
+
+typedef struct cairn_quadtree {
+    cairn_quadtree_cell *cells;
+    cairn_quadtree_entry *entries;
+    uint16_t cell_capacity, entry_capacity;
+    uint16_t cell_end, entry_end;
+    cairn_real x, y;  /* the lower left corner of the root */
+    uint8_t size_log2; /* its side is 2^size_log2 m */
+    uint8_t depth;
+    uint8_t leaf_length;
+} cairn_quadtree;
+
+typedef struct cairn_quadtree_storage {
+    cairn_quadtree *tree;
+    cairn_quadtree_cell *cells;
+    cairn_quadtree_entry *entries;
+    uint16_t cell_capacity, entry_capacity;
+} cairn_quadtree_storage;
+
+/* Declare, at file scope, the memory of a tree. Good sizes: as many cells as bodies, four times as many entries. */
+#define CAIRN_QUADTREE(name, cell_count, entry_count) \
+    static cairn_quadtree name##_tree; \
+    static cairn_quadtree_cell name##_cells[cell_count]; \
+    static cairn_quadtree_entry name##_entries[entry_count]; \
+    static const cairn_quadtree_storage name = { &name##_tree, name##_cells, name##_entries, (cell_count), (entry_count) }
+
+/*
+ * Use the quadtree instead of the all-pairs search. center: of the square it divides; size_log2: its side is
+ * 2^size_log2 m, 0 to 14; depth: most halvings, 1 to 10. At least as many entries as bodies (CAIRN_ERROR_FULL).
+ */
+cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_storage *storage, cairn_vec2 center, int size_log2, int depth);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

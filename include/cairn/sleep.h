@@ -1,0 +1,23 @@
+/*
+ * Sleep: groups of touching bodies that have been at rest for half a second stop costing anything until something
+ * touches, moves, pushes or removes one of them.
+ */
+#ifndef CAIRN_SLEEP_H
+#define CAIRN_SLEEP_H
+
+#include "world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Let bodies of this world fall asleep. */
+cairn_status cairn_sleep_enable(cairn_world *world);
+/* Wake everything and let nothing fall asleep any more. */
+cairn_status cairn_sleep_disable(cairn_world *world);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,119 @@
+/*
+ * Springs: Hooke's law with damping along the line between two anchors, F = -k (L - L0) u - c (v . u) u.
+ * Any stiffness stays bounded: stiff springs are solved implicitly, a lone spring by the exact map of the oscillator.
+ */
+#ifndef CAIRN_SPRING_H
+#define CAIRN_SPRING_H
+
+#include "world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cairn_spring_id {
+    uint16_t index; /* place in the pool plus one; 0 is null */
+    uint16_t generation;
+} cairn_spring_id;
+
+typedef struct cairn_spring_def {
+    cairn_body_id a, b;
+    cairn_vec2 anchor_a, anchor_b; /* in the frames of the bodies, m */
+    cairn_real rest_length;        /* m, 0 to 500; negative: the distance of the anchors now */
+    cairn_wide stiffness;          /* N/m, 0 to 1e9 */
+    cairn_wide damping;            /* N s/m, 0 to 1e9 */
+    bool no_contact;               /* the two bodies do not collide with one another */
+} cairn_spring_def;
+
+/* The layout is the engine's own. */
+typedef struct cairn_spring {
+    uint16_t a, b; /* body indices; a = CAIRN_NONE: free */
+    uint16_t generation;
+    uint8_t flags;
+    struct {
+        cairn_offset x, y;
+    } anchor_a, anchor_b; /* from the centres of mass, body frame */
+    cairn_offset rest_length;
+    cairn_wide stiffness, damping;
+    /* of this step */
+    cairn_share share_a, share_b;
+    cairn_motion position_gain, velocity_gain, gravity_gain;
+    cairn_factor gain_scale;
+    cairn_motion impulse;
+} cairn_spring;
+
+struct cairn_spring_class;
+
+typedef struct cairn_spring_pool {
+    const struct cairn_spring_class *kind;
+    cairn_spring *springs;
+    uint16_t capacity, end;
+} cairn_spring_pool;
+
+typedef struct cairn_spring_storage {
+    cairn_spring_pool *pool;
+    cairn_spring *springs;
+    uint16_t capacity;
+} cairn_spring_storage;
+
+/* Declare, at file scope, the memory for so many springs. */
+#define CAIRN_SPRINGS(name, count) \
+    static cairn_spring_pool name##_pool; \
+    static cairn_spring name##_springs[count]; \
+    static const cairn_spring_storage name = { &name##_pool, name##_springs, (count) }
+
+static inline cairn_spring_id cairn_spring_id_null(void)
+{
+    cairn_spring_id id;
+    id.index = 0;
+    id.generation = 0;
+    return id;
+}
+static inline bool cairn_spring_id_is_null(cairn_spring_id id) { return id.index == 0; }
+
+/* Give a world memory for springs; once per world, before the first spring. */
+cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage *storage);
+
+/* A spring from centre to centre at its rest length, without stiffness or damping. */
+static inline cairn_spring_def cairn_spring_def_default(cairn_body_id a, cairn_body_id b)
+{
+    cairn_spring_def def;
+    def.a = a;
+    def.b = b;
+    def.anchor_a = cairn_vec2_of(0, 0);
+    def.anchor_b = cairn_vec2_of(0, 0);
+    def.rest_length = CAIRN_F(-1);
+    def.stiffness = cairn_wide_from_int(0);
+    def.damping = cairn_wide_from_int(0);
+    def.no_contact = false;
+    return def;
+}
+
+/*
+ * Set stiffness and damping so that the pair of bodies would oscillate along the spring at this frequency (Hz, above 0
+ * to 1000) with this damping ratio (0 to 100). CAIRN_ERROR_KIND if neither body is dynamic.
+ */
+cairn_status cairn_spring_tune(cairn_world *world, cairn_spring_def *def, cairn_real frequency, cairn_real damping_ratio);
+
+/*
+ * Make a spring. Null id on error: a null or stale argument, a number out of range, a equal to b, a full pool, springs
+ * not enabled (CAIRN_ERROR_KIND). Two bodies that do not move are allowed: the spring then does nothing. Coinciding
+ * anchors push along the world's x axis.
+ */
+cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *def);
+cairn_status cairn_spring_destroy(cairn_world *world, cairn_spring_id id);
+bool cairn_spring_exists(const cairn_world *world, cairn_spring_id id);
+/* Distance of the anchors now, m. */
+cairn_real cairn_spring_length(cairn_world *world, cairn_spring_id id);
+/* Change what an existing spring pulls with. */
+cairn_status cairn_spring_set(cairn_world *world, cairn_spring_id id, cairn_real rest_length, cairn_wide stiffness, cairn_wide damping);
+/* Where the two anchors are in the world. */
+cairn_status cairn_spring_anchors(cairn_world *world, cairn_spring_id id, cairn_vec2 *a, cairn_vec2 *b);
+/* Walk all springs: start with the null id, call until null. */
+cairn_spring_id cairn_world_next_spring(const cairn_world *world, cairn_spring_id id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,140 @@
+/*
+ * The world: bodies, arbiters, gravity and time. The game declares its memory with CAIRN_WORLD; the library owns none.
+ * What a world can do beyond bodies and contacts is added by a call: springs (spring.h), the quadtree (quadtree.h),
+ * sleep (sleep.h), the slides' solver (solver.h). What is not called is not linked.
+ */
+#ifndef CAIRN_WORLD_H
+#define CAIRN_WORLD_H
+
+#include "arbiter.h"
+
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct cairn_world;
+struct cairn_spring_pool;
+struct cairn_quadtree;
+
+/* How constraints are solved, given the arbiters of this step: from velocities and forces to new poses. */
+typedef struct cairn_solver_class {
+    void (*solve)(struct cairn_world *world);
+} cairn_solver_class;
+
+/* How pairs are found: calls cairn_arbiter_pair() once for every pair of bodies whose boxes overlap. */
+typedef struct cairn_broad_class {
+    void (*find_pairs)(struct cairn_world *world);
+} cairn_broad_class;
+
+/* What sleep adds to the step. */
+typedef struct cairn_sleep_class {
+    void (*settle)(struct cairn_world *world);
+} cairn_sleep_class;
+
+/* Counters of the last step, and of all steps where marked. */
+typedef struct cairn_world_stats {
+    uint32_t steps;         /* all */
+    uint32_t dropped;       /* all: contacts lost because the pool of arbiters was full */
+    uint32_t saturations;   /* all: speeds and positions that met their limit */
+    uint16_t bodies, awake; /* now */
+    uint16_t pairs;         /* whose boxes overlap */
+    uint16_t arbiters, points;
+    uint16_t springs;
+    uint16_t tree_cells, tree_entries; /* of the quadtree */
+    uint16_t tree_full;                /* leaves that stayed longer than wished because a pool was full */
+} cairn_world_stats;
+
+/* The layout is the engine's own. */
+typedef struct cairn_world {
+    cairn_body *bodies;
+    cairn_arbiter *arbiters;
+    uint16_t *order; /* arbiters by pair of bodies; the free ones behind */
+    uint16_t body_capacity, body_end, body_free;
+    uint16_t arbiter_capacity, arbiter_count;
+
+    const cairn_solver_class *solver;
+    const cairn_broad_class *broad;
+    const cairn_bounce_class *bounce;
+    const cairn_sleep_class *sleep;
+    struct cairn_spring_pool *springs;
+    struct cairn_quadtree *tree;
+
+    cairn_vec2 gravity;
+    cairn_real rate; /* steps per second */
+    cairn_real slop, push_out;
+    uint8_t substeps, passes;
+    uint8_t locked;
+    int8_t error;
+
+    cairn_wide substep, inverse_substep;       /* h and 1/h */
+    cairn_diffused gravity_x, gravity_y;       /* g h^2 */
+    cairn_motion push_out_limit;               /* the same in metres per sub-step */
+    cairn_motion speed_limit, spin_limit;      /* metres per sub-step */
+
+    cairn_world_stats stats;
+} cairn_world;
+
+/* The memory of a world, as CAIRN_WORLD declares it. */
+typedef struct cairn_world_storage {
+    cairn_world *world;
+    cairn_body *bodies;
+    cairn_arbiter *arbiters;
+    uint16_t *order;
+    uint16_t body_capacity, arbiter_capacity;
+} cairn_world_storage;
+
+/* Declare, at file scope, the memory of a world of so many bodies and arbiters (1 to 65000 each). */
+#define CAIRN_WORLD(name, body_count, arbiter_count) \
+    static cairn_world name##_world; \
+    static cairn_body name##_bodies[body_count]; \
+    static cairn_arbiter name##_arbiters[arbiter_count]; \
+    static uint16_t name##_order[arbiter_count]; \
+    static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, (body_count), (arbiter_count) }
+
+/* Bytes that CAIRN_WORLD takes, a constant expression. */
+#define CAIRN_WORLD_BYTES(body_count, arbiter_count) \
+    (sizeof(cairn_world) + (body_count) * sizeof(cairn_body) + (arbiter_count) * (sizeof(cairn_arbiter) + sizeof(uint16_t)))
+
+extern const cairn_solver_class cairn_solver_soft;
+
+/* Make an empty world with a solver of your choice. Null if storage or solver is null or a capacity is zero. */
+cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver);
+
+/* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
+static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
+{
+    return cairn_world_init_with(storage, gravity, &cairn_solver_soft);
+}
+
+/* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */
+cairn_status cairn_world_step(cairn_world *world);
+
+/* The status of the last call that failed, and CAIRN_OK from then on. */
+cairn_status cairn_world_error(cairn_world *world);
+const cairn_world_stats *cairn_world_get_stats(const cairn_world *world);
+
+cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity);
+/* Steps per second, 10 to 2000. Velocities and warm impulses carry over. */
+cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_second);
+/* Sub-steps a step, 1 to 16. More stand higher and cost more. */
+cairn_status cairn_world_set_substeps(cairn_world *world, int substeps);
+/* Penetration in metres that is left alone, 0 to 0.1 (default 0). */
+cairn_status cairn_world_set_slop(cairn_world *world, cairn_real slop);
+/* Greatest speed at which penetrating bodies are pushed apart, 0 to 100 m/s (default 3). */
+cairn_status cairn_world_set_push_out(cairn_world *world, cairn_real speed);
+/* The greatest speed per axis in m/s that bodies can have with the present settings; faster ones are cut to it and counted. */
+cairn_real cairn_world_speed_limit(const cairn_world *world);
+
+/* Walk all bodies in the order of the pool: start with the null id, call until null. */
+cairn_body_id cairn_world_next_body(const cairn_world *world, cairn_body_id id);
+
+/* A hash of all that decides the future: poses, velocities, impulses. Equal on every processor. Fixed point only. */
+uint32_t cairn_world_hash(const cairn_world *world);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
