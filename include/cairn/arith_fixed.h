@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, CAIRN_PORT_MUL32, CAIRN_PORT_DOT32 or CAIRN_PORT_CLZ.
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL32, _DOT32, _DOT16, _PRODUCT or _CLZ.
  */
 #ifndef CAIRN_ARITH_FIXED_H
 #define CAIRN_ARITH_FIXED_H
@@ -90,6 +90,16 @@ static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d)
 #endif
 }
 
+/* a * b, all 64 bits. */
+static inline uint64_t cairn_product(uint32_t a, uint32_t b)
+{
+#ifdef CAIRN_PORT_PRODUCT
+    return CAIRN_PORT_PRODUCT(a, b);
+#else
+    return (uint64_t)a * b;
+#endif
+}
+
 /* Zero bits above the highest set bit; 32 for 0. */
 static inline int cairn_clz(uint32_t x)
 {
@@ -141,8 +151,8 @@ static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return
 void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine);
 /* The direction of (x, y), within 4 units of the binary angle; 0 for (0, 0). */
 cairn_angle cairn_angle_of(cairn_real y, cairn_real x);
-/* Radians in (-pi, pi]. */
-static inline cairn_real cairn_angle_radians(cairn_angle a) { return cairn_mul32(a, 1686629713, 32) >> 12; }
+/* Radians in [-pi, pi], rounded to nearest. */
+static inline cairn_real cairn_angle_radians(cairn_angle a) { return (cairn_mul32(a, 1686629713, 32) + 2048) >> 12; }
 /* Any number of radians. */
 cairn_angle cairn_angle_from_radians(cairn_real radians);
 
@@ -153,8 +163,9 @@ cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b);
 cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b); /* b = 0 gives zero */
 cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b);
 cairn_wide cairn_wide_sqrt(cairn_wide a);
-/* x * k * 2^exponent, rounded to nearest, saturated to +-INT32_MAX. */
+/* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
 int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
+#define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
 {
@@ -209,6 +220,10 @@ static inline cairn_offset cairn_offset_from_real(cairn_real x) { return (cairn_
 static inline cairn_real cairn_real_from_offset(cairn_offset x) { return (x + 32) >> 6; }
 static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return (cairn_motion)((uint32_t)cairn_clamp(x, 33554431) << 6); }
 static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x + 32) >> 6; }
+#define CAIRN_OFFSET_MAX INT32_MAX
+static inline cairn_offset cairn_offset_half(cairn_offset x) { return x >> 1; }
+/* The next API number that is not below x. */
+static inline cairn_real cairn_real_above_offset(cairn_offset x) { return (x >> 6) + 1; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return cairn_mul32(a, u, 30); }
 /* ax ux + ay uy */
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy)
@@ -246,6 +261,8 @@ static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {
     return cairn_clamp64(((int64_t)a * f + 524288) >> 20);
 }
+
+static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
 
 /* A constant change per sub-step that is smaller than its last bit can say: the rest is carried from call to call. */
 typedef struct cairn_diffused {

@@ -1,0 +1,396 @@
+/*
+ * The fixed-point operations that are too long for arith_fixed.h: roots, quotients, angles, wide numbers.
+ * They serve set-up, the API and the narrow phase; the solver's sweeps use none of them. No 64-bit division
+ * anywhere, and no division at all: quotients and roots start from a table of 8 bits, take two third-order
+ * Newton steps and, where the result is to be exact, are corrected by the remainder.
+ * The constants come from tools/derive/arith_tables.py.
+ */
+#include "cairn/arith.h"
+
+#ifdef CAIRN_DOUBLE
+
+typedef int cairn_arith_fixed_unused; /* a translation unit may not be empty */
+
+#else
+
+#define SINE_1 (1686629690)
+#define SINE_3 (-173399356)
+#define SINE_5 (5346959)
+#define SINE_7 (-77046)
+#define COSINE_2 (-1324675872)
+#define COSINE_4 (68093819)
+#define COSINE_6 (-1399910)
+#define COSINE_8 (15167)
+#define ARC_1 (1367130546)
+#define ARC_3 (-455709331)
+#define ARC_5 (273385342)
+#define ARC_7 (-194461789)
+#define ARC_9 (143276551)
+#define ARC_11 (-79794138)
+
+/* 256 (1 / sqrt(m) - 1) for m in [i, i + 1) / 64, i from 16 to 63 */
+static const uint8_t root_start[48] = {
+    248, 234, 220, 208, 196, 186, 176, 166, 158, 150, 142, 135, 128, 121, 115, 109,
+    103, 98, 93, 88, 83, 78, 74, 70, 66, 62, 58, 55, 51, 48, 44, 41,
+    38, 35, 32, 29, 27, 24, 21, 19, 16, 14, 12, 10, 7, 5, 3, 1,
+};
+
+/* 256 (1 / m - 1) for m in [i, i + 1) / 64, i from 32 to 63 */
+static const uint8_t inverse_start[32] = {
+    248, 233, 219, 206, 193, 181, 170, 159, 149, 139, 129, 121, 112, 104, 96, 89,
+    82, 75, 68, 62, 56, 50, 45, 39, 34, 29, 24, 19, 15, 10, 6, 2,
+};
+
+/* ---- shared by the rest ---- */
+
+static uint32_t magnitude(int32_t x)
+{
+    return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
+}
+
+static int32_t with_sign(uint32_t size, int32_t sign)
+{
+    int32_t x = size > (uint32_t)INT32_MAX ? INT32_MAX : (int32_t)size;
+    return sign < 0 ? -x : x;
+}
+
+static uint32_t high_word(uint64_t x)
+{
+    return (uint32_t)(x >> 32);
+}
+
+static int clz64(uint64_t x)
+{
+    uint32_t high = high_word(x);
+    return high != 0 ? cairn_clz(high) : 32 + cairn_clz((uint32_t)x);
+}
+
+/* start * (1 + correction / 2^(30 + extra)) from Q15 to Q31, held below 2. */
+static uint32_t corrected(uint32_t start, int32_t correction, int extra)
+{
+    uint32_t coarse = start << 16;
+    uint32_t fine = coarse + (uint32_t)cairn_mul32(correction, (int32_t)start, 14 + extra);
+    return correction > 0 && fine < coarse ? UINT32_MAX : fine;
+}
+
+/* 1 / m in Q15, within 2^-15.5; m in Q32, at least 1/2. */
+static uint32_t inverse_16(uint32_t m)
+{
+    uint32_t start = 256u + inverse_start[(m >> 26) - 32]; /* Q8, within 2^-5.9 */
+    int32_t d = (int32_t)(0x80000000u - (m >> 9) * start) >> 14; /* 1 - m start, Q17 */
+    int32_t c = d + (d * d >> 17);
+    uint32_t r = (start * (uint32_t)(131072 + c) + 512) >> 10;
+    return r > 65535u ? 65535u : r;
+}
+
+/* 1 / m in Q31, within 2 units; m in Q32, at least 1/2. */
+static uint32_t inverse_32(uint32_t m)
+{
+    uint32_t r = inverse_16(m);
+    int64_t left = ((int64_t)1 << 47) - (int64_t)cairn_product(m, r); /* 1 - m r, Q47 */
+    int32_t d = (int32_t)(left >> 2); /* Q45 */
+    int32_t square = ((d >> 16) * (d >> 16)) >> 13;
+    return corrected(r, d + square, 15);
+}
+
+/* 1 / sqrt(m) in Q31, within 4 units; m in Q32, at least 1/4. */
+static uint32_t inverse_root_32(uint32_t m)
+{
+    uint32_t r = 256u + root_start[(m >> 26) - 16]; /* Q8, within 2^-5.8 */
+    int32_t d = (int32_t)(0u - (m >> 14) * (r * r)) >> 15; /* 1 - m r^2, Q34 (its 1 is 2^34, gone in 32 bits), to Q19 */
+    int32_t c = (d >> 1) + (3 * d * d >> 22); /* d/2 + 3/8 d^2 */
+    int64_t left;
+
+    r = (r * (uint32_t)(524288 + c) + 2048) >> 12; /* Q15, within 2^-15 */
+    r = r > 65535u ? 65535u : r;
+    left = ((int64_t)1 << 62) - (int64_t)cairn_product(m, r * r); /* Q62 */
+    d = (int32_t)(left >> 18); /* Q44 */
+    c = d >> 16;
+    return corrected(r, (d >> 1) + (3 * c * c >> 15), 14);
+}
+
+/* a / b in Q31, truncated; a <= b, b at least 2^31. */
+static uint32_t fraction(uint32_t a, uint32_t b)
+{
+    uint32_t q = high_word(cairn_product(a, inverse_32(b)));
+    int64_t rest = (int64_t)(((uint64_t)a << 31) - cairn_product(q, b));
+
+    while (rest < 0) { q--; rest += b; } /* at most 3 times: q is within 3 */
+    while (rest >= (int64_t)b) { q++; rest -= b; }
+    return q;
+}
+
+/* The square root rounded to nearest, at most 2^32 - 1. */
+static uint32_t root(uint64_t x)
+{
+    int shift;
+    uint64_t m;
+    uint32_t r, s;
+    int64_t rest;
+
+    if (x == 0) { return 0; }
+    shift = clz64(x) & ~1;
+    m = x << shift;
+    r = inverse_root_32(high_word(m));
+    s = high_word(cairn_product(high_word(m), r)); /* sqrt(m) = m / sqrt(m): Q32 Q31 -> Q31 */
+    s = s > 0x7FFFFFFFu ? UINT32_MAX : s << 1;
+    s >>= shift / 2;
+    rest = (int64_t)(x - cairn_product(s, s));
+    while (rest > (int64_t)s && s != UINT32_MAX) { s++; rest -= 2 * (int64_t)s - 1; } /* at most 8 times: s is within 8 */
+    while (rest <= -(int64_t)s) { rest += 2 * (int64_t)s - 1; s--; }
+    return s;
+}
+
+/* ---- cairn_real ---- */
+
+cairn_real cairn_real_divide(cairn_real a, cairn_real b)
+{
+    uint32_t over = magnitude(a), under = magnitude(b);
+    int32_t sign = a ^ b;
+    int shift;
+    uint32_t q;
+    int64_t rest;
+
+    if (b == 0) { return a > 0 ? CAIRN_REAL_MAX : a < 0 ? -CAIRN_REAL_MAX : 0; }
+    if ((uint64_t)over >= (uint64_t)under << 15) { return with_sign(UINT32_MAX, sign); }
+    shift = cairn_clz(under);
+    q = (uint32_t)(cairn_product(over, inverse_32(under << shift)) >> (47 - shift));
+    rest = (int64_t)(((uint64_t)over << 16) - cairn_product(q, under));
+    while (rest < 0) { q--; rest += under; } /* at most 3 times: q is within 3 */
+    while (rest >= (int64_t)under) { q++; rest -= under; }
+    return with_sign(2 * rest >= (int64_t)under ? q + 1 : q, sign);
+}
+
+cairn_real cairn_real_sqrt(cairn_real x)
+{
+    return x > 0 ? (cairn_real)root((uint64_t)(uint32_t)x << 16) : 0;
+}
+
+cairn_real cairn_real_length(cairn_real x, cairn_real y)
+{
+    uint32_t a = magnitude(x), b = magnitude(y);
+    return with_sign(root(cairn_product(a, a) + cairn_product(b, b)), 1);
+}
+
+cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b)
+{
+    return a > 0 && b > 0 ? (cairn_real)root(cairn_product((uint32_t)a, (uint32_t)b)) : 0;
+}
+
+/* ---- angles ---- */
+
+void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine)
+{
+    uint32_t quadrant = ((uint32_t)angle + 0x20000000u) >> 30;
+    int32_t z = (int32_t)(((uint32_t)angle - (quadrant << 30)) << 2); /* quarters of pi, Q31, in [-1, 1) */
+    int32_t w = cairn_mul32(z, z, 32); /* z^2, Q30 */
+    int32_t s, c;
+
+    s = cairn_mul32(SINE_7, w, 30);
+    s = cairn_mul32(SINE_5 + s, w, 30);
+    s = cairn_mul32(SINE_3 + s, w, 30);
+    s = cairn_mul32(SINE_1 + s, z, 32); /* Q31 Q31 -> Q30 */
+    c = cairn_mul32(COSINE_8, w, 30);
+    c = cairn_mul32(COSINE_6 + c, w, 30);
+    c = cairn_mul32(COSINE_4 + c, w, 30);
+    c = CAIRN_UNIT(1) + cairn_mul32(COSINE_2 + c, w, 32); /* Q32 Q30 -> Q30 */
+
+    *cosine = (quadrant & 1) ? s : c;
+    *sine = (quadrant & 1) ? c : s;
+    if (quadrant == 1 || quadrant == 2) { *cosine = -*cosine; }
+    if (quadrant >= 2) { *sine = -*sine; }
+}
+
+/* atan(t) in binary angle; t = a / b in [0, tan(pi/8)], b at least 1. */
+static int32_t arc_tangent(uint32_t a, uint32_t b)
+{
+    int shift = cairn_clz(b);
+    int32_t t = (int32_t)fraction(a << shift, b << shift); /* Q31 */
+    int32_t w = cairn_mul32(t, t, 32); /* Q30 */
+    int32_t p = cairn_mul32(ARC_11, w, 30);
+
+    p = cairn_mul32(ARC_9 + p, w, 30);
+    p = cairn_mul32(ARC_7 + p, w, 30);
+    p = cairn_mul32(ARC_5 + p, w, 30);
+    p = cairn_mul32(ARC_3 + p, w, 30);
+    return cairn_mul32(ARC_1 + p, t, 32);
+}
+
+cairn_angle cairn_angle_of(cairn_real y, cairn_real x)
+{
+    uint32_t ax = magnitude(x), ay = magnitude(y);
+    uint32_t large = ax > ay ? ax : ay, small = ax > ay ? ay : ax;
+    uint32_t angle;
+
+    if (large == 0) { return 0; }
+    if (large >> 31) { large >>= 1; small >>= 1; }
+    if (small <= high_word(cairn_product(large, 1779033704u))) { /* tan(pi/8) */
+        angle = (uint32_t)arc_tangent(small, large);
+    } else {
+        angle = 0x20000000u - (uint32_t)arc_tangent(large - small, large + small);
+    }
+    angle = ay > ax ? 0x40000000u - angle : angle;
+    angle = x < 0 ? 0x80000000u - angle : angle;
+    return (cairn_angle)(y < 0 ? 0u - angle : angle);
+}
+
+cairn_angle cairn_angle_from_radians(cairn_real radians)
+{
+    /* 2^16 / 2 pi = 10430.37835047; the whole turns wrap away. */
+    return (cairn_angle)((uint32_t)radians * 10430u + (uint32_t)cairn_mul32(radians, 1625002897, 32));
+}
+
+/* ---- cairn_wide ---- */
+
+/* x * 2^exponent, rounded to 32 bits. */
+static cairn_wide wide_from_64(uint64_t x, int32_t exponent)
+{
+    cairn_wide k;
+    int shift;
+    uint32_t top, next;
+
+    if (x == 0) {
+        k.mantissa = 0;
+        k.exponent = 0;
+        return k;
+    }
+    shift = clz64(x);
+    x <<= shift;
+    top = high_word(x);
+    next = (uint32_t)x >> 31;
+    k.exponent = exponent + 32 - shift;
+    k.mantissa = top + next;
+    if (k.mantissa == 0) {
+        k.mantissa = 0x80000000u;
+        k.exponent++;
+    }
+    return k;
+}
+
+cairn_wide cairn_wide_of(int32_t x, int exponent)
+{
+    return wide_from_64(magnitude(x), exponent);
+}
+
+cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b)
+{
+    return wide_from_64(cairn_product(a.mantissa, b.mantissa), a.exponent + b.exponent);
+}
+
+cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b)
+{
+    cairn_wide k;
+
+    if (a.mantissa == 0 || b.mantissa == 0) { return cairn_wide_of(0, 0); }
+    /* 1 + fraction, so that all 32 bits of the quotient count: a/b, or 2a/b when a is the smaller. */
+    k.exponent = a.exponent - b.exponent - 31;
+    if (a.mantissa >= b.mantissa) {
+        k.mantissa = 0x80000000u + fraction(a.mantissa - b.mantissa, b.mantissa);
+    } else {
+        k.mantissa = 0x80000000u + fraction(2u * a.mantissa - b.mantissa, b.mantissa);
+        k.exponent--;
+    }
+    return k;
+}
+
+cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b)
+{
+    cairn_wide large = cairn_wide_less(a, b) ? b : a;
+    cairn_wide small = cairn_wide_less(a, b) ? a : b;
+    int32_t apart = large.exponent - small.exponent;
+
+    if (small.mantissa == 0 || apart > 33) { return large; }
+    return wide_from_64(((uint64_t)large.mantissa << 31) + (((uint64_t)small.mantissa << 31) >> apart), large.exponent - 31);
+}
+
+cairn_wide cairn_wide_sqrt(cairn_wide a)
+{
+    int odd = (int)((uint32_t)a.exponent & 1u);
+    /* mantissa * 2^exponent = (mantissa * 2^(32 - odd)) * 2^(exponent - 32 + odd), an even power */
+    return wide_from_64(root((uint64_t)a.mantissa << (32 - odd)), (a.exponent - 32 + odd) / 2);
+}
+
+int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
+{
+    uint64_t product = cairn_product(magnitude(x), k.mantissa);
+    int shift = -(k.exponent + exponent);
+
+    if (shift > 32) { /* the common case: the high word alone */
+        uint32_t high = high_word(product);
+        return shift > 63 ? 0 : with_sign((high + ((uint32_t)1 << (shift - 33))) >> (shift - 32), x);
+    }
+    if (product == 0) { return 0; }
+    if (shift <= 0) { return with_sign(UINT32_MAX, x); }
+    product = (product + ((uint64_t)1 << (shift - 1))) >> shift;
+    return with_sign(high_word(product) ? UINT32_MAX : (uint32_t)product, x);
+}
+
+/* ---- vectors between bodies ---- */
+
+cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b)
+{
+    int shift = cairn_clz((uint32_t)b);
+    return (cairn_unit)((fraction((uint32_t)a << shift, (uint32_t)b << shift) + 1) >> 1);
+}
+
+/* size * scale / 2^33, rounded, with a sign: one component of the unit vector */
+static cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
+{
+    uint32_t u = (high_word(cairn_product(size, scale)) + 1) >> 1;
+    int32_t held = u > 0x40000000u ? 0x40000000 : (int32_t)u;
+    return sign < 0 ? -held : held;
+}
+
+cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
+{
+    uint32_t ax = magnitude(x), ay = magnitude(y), r, length;
+    uint64_t square;
+    int shift;
+
+    *ux = CAIRN_UNIT(1);
+    *uy = 0;
+    if (y == 0) {
+        if (x < 0) { *ux = -*ux; }
+        return with_sign(ax, 1);
+    }
+    if (x == 0) {
+        *ux = 0;
+        *uy = y < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
+        return with_sign(ay, 1);
+    }
+
+    /* Scale so that the squared length lies in [2^62, 2^64). */
+    shift = cairn_clz(ax | ay) - 1;
+    if (shift < 0) { shift = 0; ax -= ax >> 31; ay -= ay >> 31; } /* 2^31 itself: one LSB less */
+    ax <<= shift;
+    ay <<= shift;
+    square = cairn_product(ax, ax) + cairn_product(ay, ay);
+    if (square >> 62 == 0) {
+        ax <<= 1;
+        ay <<= 1;
+        square <<= 2;
+        shift++;
+    }
+    r = inverse_root_32(high_word(square));
+    *ux = component(ax, r, x);
+    *uy = component(ay, r, y);
+    /* length = square / length; from 32 m on that is too coarse for the last bit, so take the root itself */
+    if (shift < 4) { return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1); }
+    length = high_word(cairn_product(high_word(square), r)) + (1u << (shift - 2));
+    return (cairn_offset)(length >> (shift - 1));
+}
+
+/* ---- coefficients ---- */
+
+cairn_ratio cairn_factor_inverse(cairn_factor f)
+{
+    int shift;
+    uint32_t r;
+
+    if (f <= CAIRN_FACTOR(0.5)) { return INT16_MAX; }
+    shift = cairn_clz((uint32_t)f); /* f = m 2^(12 - shift), m in [1/2, 1) */
+    r = (inverse_16((uint32_t)f << shift) + (1u << (12 - shift))) >> (13 - shift); /* Q15 -> Q14 */
+    return r > (uint32_t)INT16_MAX ? INT16_MAX : (cairn_ratio)r;
+}
+
+#endif
