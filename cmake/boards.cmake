@@ -1,0 +1,26 @@
+# Reads the boards' manifests, ports/<board>/board.json.
+
+get_filename_component(CAIRN_PORTS_DIR "${CMAKE_CURRENT_LIST_DIR}/../ports" ABSOLUTE)
+
+# cairn_board_read(BOARD KEY VARIABLE): a field of the manifest, an array as a CMake list.
+function(cairn_board_read board key variable)
+    set(manifest "${CAIRN_PORTS_DIR}/${board}/board.json")
+    if(NOT EXISTS "${manifest}")
+        message(FATAL_ERROR "Cairn knows no board '${board}': there is no ${manifest}")
+    endif()
+    file(READ "${manifest}" text)
+    string(JSON type TYPE "${text}" "${key}")
+    string(JSON value GET "${text}" "${key}")
+    if(type STREQUAL "ARRAY")
+        string(JSON count LENGTH "${text}" "${key}")
+        set(value "")
+        if(count GREATER 0)
+            math(EXPR last "${count} - 1")
+            foreach(index RANGE ${last})
+                string(JSON item GET "${text}" "${key}" ${index})
+                list(APPEND value "${item}")
+            endforeach()
+        endif()
+    endif()
+    set(${variable} "${value}" PARENT_SCOPE)
+endfunction()
