@@ -250,8 +250,6 @@ def _explained(error: jsonschema.ValidationError, path: list[Any]) -> tuple[list
             return path, f"must be at least {limit:g}, not {_shown(value)}"
         case "maximum":
             return path, f"must be at most {limit:g}, not {_shown(value)}"
-        case "exclusiveMinimum":
-            return path, f"must be more than {limit:g}, not {_shown(value)}"
         case "minItems":
             return path, f"must have at least {limit} entries, not {len(value)}"
         case "maxItems":
@@ -330,6 +328,10 @@ def _convex(points: list[Point], path: list[Any]) -> list[Point]:
     for i, p in enumerate(points):
         if geometry.inside_by(corners, p) > SMALLEST_LENGTH:
             _fail([*path, i], "concave: this point lies inside the others' hull")
+        if p not in corners:
+            _fail([*path, i], "not a corner: it lies on the line of two others")
+    if abs(abs(geometry.area(points)) - geometry.area(corners)) > 1e-9 * geometry.area(corners):
+        _fail(path, "self-crossing: the points must go round, in either direction")
     return corners
 
 

@@ -1,0 +1,267 @@
+"""The verbs of tools/cairn: arguments in, tables for people or JSON for programs out."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, replace
+from enum import Enum
+from pathlib import Path
+from statistics import mean
+from typing import Annotated, Any, NoReturn
+
+import typer
+from rich.console import Console
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from . import bench as bench_module
+from . import compare as compare_module
+from . import draw, engine, scene
+from .errors import UserError
+
+out = Console()
+err = Console(stderr=True)
+app = typer.Typer(
+    help="Cairn: 2-D rigid-body physics for microcontrollers. Runs, compares and measures scenes.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
+Core = Enum("Core", {name: name for name in engine.CORES}, type=str)
+Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
+Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
+
+SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
+SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
+SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
+PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' solver.")]
+
+
+def main() -> NoReturn:
+    """Runs the command; what is wrong with its input is said in one line, with exit code 2."""
+    try:
+        code = app(prog_name="cairn", args=_spread(sys.argv[1:], {"--core", "--scene"}), standalone_mode=False)
+    except typer.Exit as end:
+        code = end.exit_code
+    except (UserError, typer.TyperException) as error:
+        message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
+        print(f"cairn: {' '.join(message.split())}", file=sys.stderr)
+        code = 2
+    except engine.EngineError as error:
+        print(f"cairn: {error}", file=sys.stderr)
+        code = 1
+    except (KeyboardInterrupt, typer.Abort):
+        code = 130
+    sys.exit(code or 0)
+
+
+def _spread(arguments: list[str], several: set[str]) -> list[str]:
+    """`--core m0 m3` as `--core m0 --core m3`: the parser itself takes one value an option."""
+    given: list[str] = []
+    option = ""
+    for argument in arguments:
+        if argument.startswith("-"):
+            option = argument if argument in several else ""
+            if not option:
+                given.append(argument)
+        elif option:
+            given += [option, argument]
+        else:
+            given.append(argument)
+    return given
+
+
+@app.command()
+def run(
+    scene_file: SceneArgument,
+    arithmetic: Annotated[Arithmetic, typer.Option("--engine", help="Fixed point, or the same in double.")] = "q16",
+    on: Annotated[Target, typer.Option(help="The host, or a core in QEMU.")] = "host",
+    steps: Annotated[int, typer.Option(min=0, max=1_000_000)] = 600,
+    every: Annotated[int, typer.Option(min=1, help="Record each so many steps.")] = 1,
+    csv: Annotated[str, typer.Option(metavar="FILE|-", help="Write the states; - is stdout and nothing else.")] = "",
+    hash_only: Annotated[bool, typer.Option("--hash", help="Print only the hash of the last state.")] = False,
+    svg: Annotated[Path | None, typer.Option(help="Draw the end over the way there.")] = None,
+    png: Annotated[Path | None, typer.Option(help="The same picture as pixels.")] = None,
+    gif: Annotated[Path | None, typer.Option(help="A film in real time.")] = None,
+    solver: SolverOption = None,
+    substeps: SubstepsOption = None,
+    passes: PassesOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Simulate a scene, on the host or on an emulated core."""
+    loaded = _scene(scene_file, solver, substeps, passes)
+    if arithmetic.value == "f64" and on.value != "host":
+        raise UserError("--engine f64 runs on the host only")
+    if csv == "-" and (hash_only or as_json):
+        raise UserError("--csv - prints nothing else: leave out --hash and --json")
+    only_hash = hash_only and not (csv or svg or png or gif or as_json)
+    with _working(f"{loaded.name} on {on.value}"):
+        got = engine.run(loaded, arithmetic.value, on.value, steps, 0 if only_hash else every)
+    poses = got.trajectory.poses
+    if csv == "-":
+        got.trajectory.write_csv(sys.stdout)
+    elif csv:
+        with _writable(csv).open("w", encoding="utf-8") as file:
+            got.trajectory.write_csv(file)
+    if svg:
+        _writable(svg).write_text(draw.svg(loaded, poses, got.contacts), encoding="utf-8")
+    if png:
+        draw.png(_writable(png), loaded, poses, got.contacts)
+    if gif:
+        draw.gif(_writable(gif), loaded, poses, every / loaded.steps_per_second)
+    if csv == "-":
+        return
+    if hash_only:
+        print(got.hash)
+    elif as_json:
+        print(json.dumps(_run_record(loaded, got), indent=2))
+    else:
+        out.print(_run_table(loaded, got))
+
+
+@app.command()
+def compare(
+    scene_file: SceneArgument,
+    steps: Annotated[int, typer.Option(min=1, max=1_000_000)] = 120,
+    solver: SolverOption = None,
+    substeps: SubstepsOption = None,
+    passes: PassesOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """How far fixed point and double are apart: the same algorithm, so the difference is rounding."""
+    loaded = _scene(scene_file, solver, substeps, passes)
+    with _working(f"{loaded.name}, q16 and f64"):
+        q16, f64 = (engine.run(loaded, arithmetic, "host", steps, 1).trajectory for arithmetic in ("q16", "f64"))
+    rows = compare_module.selected(compare_module.differences(loaded, q16, f64))
+    total = compare_module.overall(loaded, q16, f64)
+    if as_json:
+        record = {"scene": loaded.name, "steps": steps, "engines": ["q16", "f64"],
+                  "overall": asdict(total), "selected": [asdict(row) for row in rows]}  # fmt: skip
+        print(json.dumps(record, indent=2))
+        return
+    grid = Table(title=f"{loaded.name}: q16 against f64, {steps} steps", caption="metres and radians, over what moves")
+    for column in ("step", "rms distance", "largest distance", "rms angle", "largest angle", "of body"):
+        grid.add_column(column, justify="right")
+    for row in [*rows, total]:
+        if row is total:
+            grid.add_section()
+        label = "all" if row.step is None else str(row.step)
+        numbers = (row.rms_position, row.max_position, row.rms_angle, row.max_angle)
+        grid.add_row(label, *(f"{value:.2e}" for value in numbers), str(row.worst_body))
+    out.print(grid)
+
+
+@app.command()
+def bench(
+    core: Annotated[list[Core] | None, typer.Option(help="Default: m0 m3 m4f.")] = None,
+    scene_name: Annotated[list[str] | None, typer.Option("--scene", help="Names or files.")] = None,
+    solver: SolverOption = None,
+    substeps: SubstepsOption = None,
+    passes: PassesOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Instructions per step on the emulated cores, over steps 121 to 240."""
+    cores = [c.value for c in core] if core else list(bench_module.CORES)
+    scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
+    results = []
+    with _working("bench") as say:
+        for loaded in scenes:
+            for name in cores:
+                say(f"{loaded.name} on {name}")
+                results.append(bench_module.measure(loaded, name))
+    if as_json:
+        print(json.dumps([asdict(result) for result in results], indent=2))
+        return
+    grid = Table(title="Instructions per step", caption="mean and worst of steps 121-240; worst of steps 1-240")
+    for column in ("scene", "core", "mean", "worst", "worst from the start"):
+        grid.add_column(column, justify="left" if column in ("scene", "core") else "right")
+    for result in results:
+        counts = (result.mean_instructions, result.worst_instructions, result.worst_instructions_from_start)
+        grid.add_row(result.scene, result.core, *(f"{count:,.0f}" for count in counts))
+    out.print(grid)
+
+
+@app.command("table")
+def table_command(
+    scene_file: SceneArgument,
+    out_file: Annotated[Path, typer.Option("--out", metavar="FILE.c", help="The C file to write.")],
+    name: Annotated[str, typer.Option(help="Name of the C constant; default scene_ and the scene's name.")] = "",
+) -> None:
+    """Convert a scene to a const C table for firmware."""
+    loaded = _scene(scene_file, None, None, None)
+    if name and not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
+        raise UserError(f"--name {name}: is no name in C")
+    text = engine.table(loaded, name or "scene_" + re.sub(r"[^A-Za-z0-9]", "_", loaded.name))
+    _writable(out_file).write_text(text, encoding="utf-8")
+
+
+def _scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:
+    """The scene with the settings of the command line in place of its own."""
+    loaded = scene.load(scene.find(name))
+    given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
+    return replace(loaded, **{key: value for key, value in given.items() if value is not None})
+
+
+def _writable(file: Path | str) -> Path:
+    """A path in a folder that exists."""
+    path = Path(file)
+    if not path.parent.is_dir():
+        raise UserError(f"{path}: no folder {path.parent}")
+    if path.is_dir():
+        raise UserError(f"{path}: is a folder")
+    return path
+
+
+@contextmanager
+def _working(what: str) -> Iterator[Any]:
+    """A spinner on stderr while something runs; gives a function that changes its text."""
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=err, transient=True) as progress:
+        task = progress.add_task(what)
+        yield lambda text: progress.update(task, description=text)
+
+
+def _run_record(loaded: scene.Scene, got: engine.Run) -> dict[str, Any]:
+    names = ("x", "y", "angle", "vx", "vy", "omega")
+    return {
+        "scene": loaded.name,
+        "engine": got.arithmetic,
+        "on": got.target,
+        "steps": got.steps,
+        "hash": got.hash,
+        "statistics": got.statistics,
+        "mean_instructions": mean(got.costs) if got.costs else None,
+        "worst_instructions": max(got.costs) if got.costs else None,
+        "bodies": [
+            {"body": i, "name": body.name, **dict(zip(names, map(float, state), strict=True))}
+            for i, (body, state) in enumerate(zip(loaded.bodies, got.trajectory.states[-1], strict=True))
+        ],
+    }
+
+
+def _run_table(loaded: scene.Scene, got: engine.Run) -> Table:
+    grid = Table(title=f"{loaded.name}: {got.arithmetic} on {got.target}, {got.steps} steps", show_header=False)
+    grid.add_column("what")
+    grid.add_column("value", justify="right")
+    moved = got.trajectory.poses[-1, :, :2] - got.trajectory.poses[0, :, :2]
+    rows = {
+        "bodies": len(loaded.bodies),
+        "springs": len(loaded.springs),
+        **got.statistics,
+        "largest distance from start, m": f"{max(float((d**2).sum()) for d in moved) ** 0.5:.6f}",
+        "hash": got.hash,
+    }
+    if got.costs:
+        rows["instructions per step, mean"] = f"{mean(got.costs):,.0f}"
+        rows["instructions per step, worst"] = f"{max(got.costs):,}"
+        rows["stack, bytes"] = f"{got.stack:,}"
+    for name, value in rows.items():
+        grid.add_row(name.replace("_", " "), str(value))
+    return grid

@@ -1,0 +1,234 @@
+"""Runs scenes on the engine: builds the runner (tools/runner) by CMake, starts it here or in QEMU, reads its lines."""
+
+from __future__ import annotations
+
+import fcntl
+import math
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from .errors import UserError
+from .scene import Scene
+from .trajectory import Trajectory
+
+ROOT = Path(__file__).parents[2]
+ARITHMETICS = {"q16": "host", "f64": "host-double"}  # and the CMake preset of each on the host
+
+
+@dataclass(frozen=True)
+class Emulated:
+    """A core in QEMU: the CMake preset it is built by and the board it is on."""
+
+    preset: str
+    board: str
+
+
+CORES = {
+    "m0": Emulated("m0", "microbit"),
+    "m3": Emulated("m3", "mps2-an385"),
+    "m4f": Emulated("m4f", "mps2-an386"),
+    "m7": Emulated("m7", "mps2-an500"),
+    "m33": Emulated("m33", "mps2-an505"),
+    "m55": Emulated("m55", "mps3-an547"),
+    "lm3s6965evb": Emulated("m3", "lm3s6965evb"),
+}
+TARGETS = ("host", *CORES)
+
+STATUS = {
+    -1: "a null argument",
+    -2: "a stale id",
+    -3: "a number out of range",
+    -4: "a full pool",
+    -5: "a shape that is not convex, or is degenerate",
+    -6: "a call that does not apply",
+    -7: "a locked world",
+}
+
+
+class EngineError(Exception):
+    """The build or the run itself failed: not the fault of the command's input."""
+
+
+@dataclass
+class Run:
+    """What the runner printed."""
+
+    arithmetic: str
+    target: str
+    steps: int
+    trajectory: Trajectory
+    hash: str = ""
+    statistics: dict[str, int] = field(default_factory=dict)
+    costs: list[int] = field(default_factory=list)  # instructions a step, in QEMU only
+    stack: int = 0
+    contacts: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
+
+
+def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> Run:
+    """Runs a scene and records each `every` steps (0: records nothing)."""
+    words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}"]
+    words += [f"substeps={scene.substeps}", f"passes={scene.passes}"]
+    if target == "host":
+        command = [str(_host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *words]
+        output = _output_of(command, scene, None)
+    else:
+        with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
+            image = Path(folder) / "runner.elf"
+            build_image(scene, target, image)
+            qemu_run = [sys.executable, str(ROOT / "tools" / "qemu-run"), "--timeout", str(120 + steps)]
+            command = [*qemu_run, CORES[target].board, str(image), *words, "costs=1"]
+            output = _output_of(command, scene, target)
+    return _parse(output, scene, Run(arithmetic, target, steps, _no_states(scene)))
+
+
+def table(scene: Scene, name: str) -> str:
+    """The scene as a C table, from the loader that the host runs scenes with; the command line's settings are not in it."""
+    return _output_of([str(_host_program("host", "cairn-table")), "-", name], scene, None)
+
+
+def build_image(scene: Scene, target: str, image: Path) -> None:
+    """Links the runner's firmware with a scene's table and puts it into the given file."""
+    emulated = CORES[target]
+    text = table(scene, "cairn_the_scene")
+    _configure(emulated.preset)
+    place = ROOT / "build" / emulated.preset / "tools" / "runner"
+    with _lock(emulated.preset):
+        source = place / emulated.board / "table.c"
+        source.parent.mkdir(parents=True, exist_ok=True)
+        source.write_text(text, encoding="utf-8")
+        log = _cmake("--build", f"build/{emulated.preset}", "--target", f"runner-{emulated.board}")
+        if log and "overflowed by" in log:
+            raise UserError(f"{scene.path}: does not fit into the memory of {emulated.board}")
+        _check_build(log)
+        shutil.copy(place / f"runner-{emulated.board}.elf", image)
+
+
+def _no_states(scene: Scene) -> Trajectory:
+    return Trajectory(np.zeros(0, dtype=np.int64), np.zeros((0, len(scene.bodies), 6)))
+
+
+def _host_program(preset: str, name: str) -> Path:
+    """A program of the host's, built where it is not up to date."""
+    _configure(preset)
+    with _lock(preset):
+        _check_build(_cmake("--build", f"build/{preset}", "--target", name))
+    return ROOT / "build" / preset / "tools" / "runner" / name
+
+
+def _configure(preset: str) -> None:
+    with _lock(preset):
+        if not (ROOT / "build" / preset / "build.ninja").is_file():
+            _check_build(_cmake("--preset", preset))
+
+
+def _cmake(*arguments: str) -> str | None:
+    """Runs CMake quietly; gives what it said if it failed."""
+    done = subprocess.run(["cmake", *arguments], cwd=ROOT, capture_output=True, text=True, check=False)
+    return None if done.returncode == 0 else done.stdout + done.stderr
+
+
+def _check_build(log: str | None) -> None:
+    if log is None:
+        return
+    file = ROOT / "build" / "cairn-build.log"
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(log, encoding="utf-8")
+    first = next((line for line in log.splitlines() if "error" in line.lower()), "cmake failed")
+    raise EngineError(f"the engine does not build: {first.strip()} (all of it in {file})")
+
+
+@contextmanager
+def _lock(preset: str) -> Iterator[None]:
+    """Keeps two commands from building in one folder at a time."""
+    file = ROOT / "build" / f"{preset}.lock"
+    file.parent.mkdir(exist_ok=True)
+    with file.open("w", encoding="utf-8") as handle:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
+
+
+def _output_of(command: list[str], scene: Scene, target: str | None) -> str:
+    """Standard output of the runner, fed with the scene file."""
+    with scene.path.open("rb") as source:
+        done = subprocess.run(command, stdin=source, capture_output=True, text=True, check=False)
+    if done.returncode == 2 and target is None:
+        raise UserError(f"{scene.path}: {done.stderr.strip().removeprefix('-: ')}")
+    if done.returncode != 0:
+        raise _failure(done, scene, target)
+    return done.stdout
+
+
+def _failure(done: subprocess.CompletedProcess[str], scene: Scene, target: str | None) -> Exception:
+    """What to say of a runner that did not end well."""
+    said = dict(
+        line.split()[1:3] for line in done.stdout.splitlines() if line.startswith("error ") and line.count(" ") == 2
+    )
+    if "status" in said and "place" in said:
+        place = int(said["place"])
+        where = "(settings)" if place < 0 else f"bodies[{place}]"
+        if place >= len(scene.bodies):
+            where = f"springs[{place - len(scene.bodies)}]"
+        return UserError(
+            f"{scene.path}: {where}: refused by the engine: {STATUS.get(int(said['status']), said['status'])}"
+        )
+    lines = (done.stderr + done.stdout).strip().splitlines()
+    on = target or "the host"
+    if target and done.returncode > 100 and done.returncode != 124:
+        return EngineError(f"{scene.name} on {on}: exception {done.returncode - 100}")
+    return EngineError(f"{scene.name} on {on}: {lines[-1] if lines else f'exit code {done.returncode}'}")
+
+
+def _parse(output: str, scene: Scene, got: Run) -> Run:
+    """The runner's lines, see tools/runner/runner.h."""
+    lines = iter(output.splitlines())
+    steps: list[int] = []
+    rows: list[str] = []
+    contacts: list[str] = []
+    ended = False
+    for line in lines:
+        name, _, rest = line.partition(" ")
+        match name:
+            case "state":
+                steps.append(int(rest))
+                rows += [next(lines) for _ in scene.bodies]
+            case "cost":
+                got.costs.append(int(rest))
+            case "stat":
+                key, value = rest.split()
+                got.statistics[key] = int(value)
+            case "contact":
+                contacts.append(rest)
+            case "hash":
+                got.hash = rest
+            case "stack":
+                got.stack = int(rest)
+            case "end":
+                ended = True
+    if not ended:
+        raise EngineError(f"{scene.name} on {got.target}: the runner's output breaks off")
+    fixed = got.arithmetic == "q16"
+    if steps:
+        states = np.array(" ".join(rows).split(), dtype=np.float64).reshape(len(steps), len(scene.bodies), 6)
+        got.trajectory = Trajectory(np.array(steps, dtype=np.int64), _in_si(states, scene, fixed))
+    if contacts:
+        got.contacts = np.array(" ".join(contacts).split(), dtype=np.float64).reshape(-1, 4)
+        got.contacts /= 65536 if fixed else 1
+    return got
+
+
+def _in_si(states: np.ndarray, scene: Scene, fixed: bool) -> np.ndarray:
+    """Metres and radians, the angles counted on from those in the scene file."""
+    if fixed:
+        states[:, :, [0, 1, 3, 4, 5]] /= 65536
+        states[:, :, 2] *= 2 * math.pi / 2**32
+    wanted = np.array([body.angle for body in scene.bodies])
+    states[:, :, 2] += 2 * math.pi * np.round((wanted - states[0, :, 2]) / (2 * math.pi))
+    return states

@@ -1,0 +1,83 @@
+/* The host's program: cairn-runner SCENE.json [WORD...], the words of runner.h. */
+#include "host_file.h"
+#include "runner.h"
+#include "storage.h"
+
+#include "cairn_port.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { BAD_CALL = 2 };
+
+static void *room(size_t count, size_t size)
+{
+    void *memory = calloc(count > 0 ? count : 1, size);
+    if (memory == NULL) {
+        fputs("not enough memory\n", stderr);
+        exit(EXIT_FAILURE);
+    }
+    return memory;
+}
+
+static int run(const cairn_scene *scene, const runner_options *options)
+{
+    const uint16_t arbiters = runner_arbiters(scene);
+    const uint16_t cells = runner_cells(scene);
+    const uint16_t entries = runner_entries(scene);
+    const cairn_world_storage world = {
+        room(1, sizeof(cairn_world)), room(scene->body_count, sizeof(cairn_body)), room(arbiters, sizeof(cairn_arbiter)),
+        room(arbiters, sizeof(uint16_t)), scene->body_count, arbiters,
+    };
+    const cairn_spring_storage springs = {
+        room(1, sizeof(cairn_spring_pool)), room(scene->spring_count, sizeof(cairn_spring)), scene->spring_count,
+    };
+    const cairn_quadtree_storage tree = {
+        room(1, sizeof(cairn_quadtree)), room(cells, sizeof(cairn_quadtree_cell)), room(entries, sizeof(cairn_quadtree_entry)),
+        cells, entries,
+    };
+    const cairn_scene_storage storage = {&world, &springs, &tree};
+    const runner_memory memory = {
+        room(scene->body_count, sizeof(cairn_body_id)),
+        room(scene->body_count, sizeof(runner_turn)),
+        room(scene->body_count, sizeof(cairn_angle)),
+    };
+    const int code = runner_run(scene, &storage, memory, options);
+    cairn_print_flush();
+    free(world.world);
+    free(world.bodies);
+    free(world.arbiters);
+    free(world.order);
+    free(springs.pool);
+    free(springs.springs);
+    free(tree.tree);
+    free(tree.cells);
+    free(tree.entries);
+    free(memory.ids);
+    free(memory.turns);
+    free(memory.angles);
+    return code;
+}
+
+int main(int count, char **words)
+{
+    runner_options options = runner_options_default();
+    for (int i = 2; i < count; i++) {
+        if (!runner_options_take(&options, words[i])) {
+            fprintf(stderr, "unknown word '%s'\n", words[i]);
+            return BAD_CALL;
+        }
+    }
+    if (count < 2) {
+        fprintf(stderr, "usage: %s SCENE.json|- [steps=N] [every=K] [costs=1] [contacts=1] [solver=soft|slides] [substeps=N] [passes=N]\n", words[0]);
+        return BAD_CALL;
+    }
+    cairn_port_init();
+    cairn_scene_file *file = host_read_scene(words[1]);
+    if (file == NULL) {
+        return BAD_CALL;
+    }
+    const int code = run(cairn_scene_file_table(file), &options);
+    cairn_scene_file_free(file);
+    return code;
+}
