@@ -1,5 +1,5 @@
 # Unity tests and CMock mocks. On the host a test is a program, in a cross build an image that ctest runs in QEMU.
-#   cairn_add_unit_test(NAME SOURCE [LIBRARIES target...] [HOST_ONLY])
+#   cairn_add_unit_test(NAME SOURCE [SOURCES file...] [LIBRARIES target...] [HOST_ONLY])
 #   cairn_add_mocks(TARGET CONFIG file PREFIX prefix HEADERS file...)
 
 find_program(CAIRN_RUBY ruby REQUIRED)
@@ -32,7 +32,7 @@ if(CMAKE_CROSSCOMPILING)
 endif()
 
 function(cairn_add_unit_test name source)
-    cmake_parse_arguments(test "HOST_ONLY" "" "LIBRARIES" ${ARGN})
+    cmake_parse_arguments(test "HOST_ONLY" "" "SOURCES;LIBRARIES" ${ARGN})
     if(test_HOST_ONLY AND CMAKE_CROSSCOMPILING)
         return()
     endif()
@@ -42,7 +42,7 @@ function(cairn_add_unit_test name source)
         COMMAND "${CAIRN_RUBY}" "${CAIRN_UNITY_DIR}/auto/generate_test_runner.rb" --use_param_tests=1 "${path}" "${runner}"
         DEPENDS "${path}" VERBATIM)
     set_source_files_properties("${runner}" PROPERTIES COMPILE_OPTIONS "-w")
-    cairn_add_image(${name} SOURCES "${path}" "${runner}" LIBRARIES ${test_LIBRARIES} cairn_unity)
+    cairn_add_image(${name} SOURCES "${path}" "${runner}" ${test_SOURCES} LIBRARIES ${test_LIBRARIES} cairn_unity)
     get_target_property(board ${name} CAIRN_BOARD)
     if(board STREQUAL "host")
         add_test(NAME ${name} COMMAND ${name})
