@@ -325,6 +325,25 @@ int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
     return with_sign(high_word(product) ? UINT32_MAX : (uint32_t)product, x);
 }
 
+cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
+{
+    uint64_t size = cairn_product(magnitude(x), k.mantissa); /* to Q60: Q28 and 32 bits below */
+    int shift = -(k.exponent + 12 + 32);
+    cairn_diffused d;
+
+    d.carry = 0;
+    if (shift > 0) {
+        size = shift > 63 ? 0 : (size + ((uint64_t)1 << (shift - 1))) >> shift;
+    } else if (size != 0) {
+        size = -shift >= clz64(size) ? UINT64_MAX : size << -shift;
+    }
+    if (size >> 32 >= (uint64_t)INT32_MAX) { size = (uint64_t)INT32_MAX << 32; }
+    if (x < 0) { size = 0u - size; }
+    d.whole = (cairn_motion)high_word(size);
+    d.fraction = (uint32_t)size;
+    return d;
+}
+
 /* ---- vectors between bodies ---- */
 
 cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b)

@@ -65,6 +65,7 @@ static inline cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b) { return a *
 static inline cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b) { return b != 0 ? a / b : 0; }
 static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a + b; }
 static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
+#define CAIRN_WIDE_PI CAIRN_PI
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
@@ -94,6 +95,13 @@ static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residu
     (void)to_residue;
     return to - from;
 }
+static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue, cairn_offset by)
+{
+    *residue = 0;
+    *x += by;
+}
+static inline cairn_motion cairn_motion_half(cairn_motion x) { return x / 2; }
+static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s) { return x * c + y * s; }
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
 {
     (void)residue;
@@ -105,6 +113,9 @@ static inline cairn_offset cairn_offset_from_real(cairn_real x) { return x; }
 static inline cairn_real cairn_real_from_offset(cairn_offset x) { return x; }
 static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return x; }
+#define CAIRN_OFFSET_MAX 512.0
+static inline cairn_offset cairn_offset_half(cairn_offset x) { return x / 2; }
+static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }
 static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by) { return ax * bx + ay * by; }
@@ -130,6 +141,8 @@ static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { r
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f) { return a * f; }
 
+static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return x * k; }
+
 typedef struct cairn_diffused {
     cairn_motion whole;
 } cairn_diffused;
@@ -147,5 +160,7 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
 static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return a * b; }
 static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return sqrt(a * b); }
+
+static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return sqrt(a * b); }
 
 #endif

@@ -2,7 +2,8 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL32, _DOT32, _DOT16, _PRODUCT or _CLZ.
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD or _CLZ;
+ * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
 #define CAIRN_ARITH_FIXED_H
@@ -50,62 +51,38 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 
 /* ---- primitives ---- */
 
-/* a * b / 2^shift; b in 16 bits, 1 <= shift <= 16. The result must fit. */
-static inline int32_t cairn_mul16(int32_t a, int32_t b, int shift)
-{
-#ifdef CAIRN_PORT_MUL16
-    return CAIRN_PORT_MUL16(a, b, shift);
-#else
-    return (int32_t)(((int64_t)a * b + ((int64_t)1 << (shift - 1))) >> shift);
+/* What a port does not replace is done in plain C. */
+#ifndef CAIRN_PORT_MUL16
+#define CAIRN_PORT_MUL16(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
 #endif
+#ifndef CAIRN_PORT_MUL32
+#define CAIRN_PORT_MUL32(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
+#endif
+#ifndef CAIRN_PORT_DOT16
+#define CAIRN_PORT_DOT16(a, b, c, d) ((int32_t)(((int64_t)(a) * (b) + (int64_t)(c) * (d) + 8192) >> 14))
+#endif
+#ifndef CAIRN_PORT_DOT32
+#define CAIRN_PORT_DOT32(a, b, c, d, shift) \
+    ((int32_t)(((int64_t)(a) * (b) + (int64_t)(c) * (d) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
+#endif
+#ifndef CAIRN_PORT_PRODUCT
+#define CAIRN_PORT_PRODUCT(a, b) ((uint64_t)(a) * (b))
+#endif
+#ifndef CAIRN_PORT_ADD
+#define CAIRN_PORT_ADD(a, b, sum) cairn_add_plain(a, b, sum)
+#endif
+#ifndef CAIRN_PORT_CLZ
+#define CAIRN_PORT_CLZ(x) cairn_clz_plain(x)
+#endif
+
+static inline bool cairn_add_plain(int32_t a, int32_t b, int32_t *sum)
+{
+    *sum = (int32_t)((uint32_t)a + (uint32_t)b);
+    return ((a ^ *sum) & (b ^ *sum)) < 0;
 }
 
-/* a * b / 2^shift, 1 <= shift <= 32. The result must fit. */
-static inline int32_t cairn_mul32(int32_t a, int32_t b, int shift)
+static inline int cairn_clz_plain(uint32_t x)
 {
-#ifdef CAIRN_PORT_MUL32
-    return CAIRN_PORT_MUL32(a, b, shift);
-#else
-    return (int32_t)(((int64_t)a * b + ((int64_t)1 << (shift - 1))) >> shift);
-#endif
-}
-
-/* (a * b + c * d) / 2^shift, rounded once, 1 <= shift <= 32. The result must fit. */
-static inline int32_t cairn_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
-{
-#ifdef CAIRN_PORT_DOT32
-    return CAIRN_PORT_DOT32(a, b, c, d, shift);
-#else
-    return (int32_t)(((int64_t)a * b + (int64_t)c * d + ((int64_t)1 << (shift - 1))) >> shift);
-#endif
-}
-
-/* (a * b + c * d) / 2^14, b and d components of a cairn_dir (at most 2^14 in size), rounded once. The result must fit. */
-static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d)
-{
-#ifdef CAIRN_PORT_DOT16
-    return CAIRN_PORT_DOT16(a, b, c, d);
-#else
-    return (int32_t)(((int64_t)a * b + (int64_t)c * d + 8192) >> 14);
-#endif
-}
-
-/* a * b, all 64 bits. */
-static inline uint64_t cairn_product(uint32_t a, uint32_t b)
-{
-#ifdef CAIRN_PORT_PRODUCT
-    return CAIRN_PORT_PRODUCT(a, b);
-#else
-    return (uint64_t)a * b;
-#endif
-}
-
-/* Zero bits above the highest set bit; 32 for 0. */
-static inline int cairn_clz(uint32_t x)
-{
-#ifdef CAIRN_PORT_CLZ
-    return CAIRN_PORT_CLZ(x);
-#else
     int n = 32;
     if (x >> 16) { n -= 16; x >>= 16; }
     if (x >> 8) { n -= 8; x >>= 8; }
@@ -113,13 +90,50 @@ static inline int cairn_clz(uint32_t x)
     if (x >> 2) { n -= 2; x >>= 2; }
     if (x >> 1) { return n - 2; }
     return n - (int)x;
-#endif
 }
+
+/* a * b / 2^shift; b in 16 bits, 1 <= shift <= 16. The result must fit. */
+static inline int32_t cairn_mul16(int32_t a, int32_t b, int shift) { return CAIRN_PORT_MUL16(a, b, shift); }
+
+/* a * b / 2^shift, 1 <= shift <= 32. The result must fit. */
+static inline int32_t cairn_mul32(int32_t a, int32_t b, int shift) { return CAIRN_PORT_MUL32(a, b, shift); }
+
+/* (a * b + c * d) / 2^14, b and d components of a cairn_dir (at most 2^14 in size), rounded once. The result must fit. */
+static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d) { return CAIRN_PORT_DOT16(a, b, c, d); }
+
+/* (a * b + c * d) / 2^shift, rounded once, 1 <= shift <= 32. The result must fit. */
+static inline int32_t cairn_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
+{
+    return CAIRN_PORT_DOT32(a, b, c, d, shift);
+}
+
+/* a * b, all 64 bits. */
+static inline uint64_t cairn_product(uint32_t a, uint32_t b) { return CAIRN_PORT_PRODUCT(a, b); }
+
+/* sum = a + b, wrapped; true if it wrapped. */
+static inline bool cairn_add_overflows(int32_t a, int32_t b, int32_t *sum) { return CAIRN_PORT_ADD(a, b, sum); }
+
+/* Zero bits above the highest set bit; 32 for 0. */
+static inline int cairn_clz(uint32_t x) { return CAIRN_PORT_CLZ(x); }
+
+/*
+ * Saturation is to +-INT32_MAX, so that every result may be negated.
+ */
 
 /* x into the 32-bit range. */
 static inline int32_t cairn_clamp64(int64_t x)
 {
-    return x > INT32_MAX ? INT32_MAX : x < -INT32_MAX ? -INT32_MAX : (int32_t)x;
+    int32_t low = (int32_t)(uint32_t)x, high = (int32_t)(x >> 32);
+    if (high != low >> 31) { return high < 0 ? -INT32_MAX : INT32_MAX; }
+    return low < -INT32_MAX ? -INT32_MAX : low;
+}
+
+/* a + b into the 32-bit range. */
+static inline int32_t cairn_add_clamped(int32_t a, int32_t b)
+{
+    int32_t sum;
+    if (cairn_add_overflows(a, b, &sum)) { return a < 0 ? -INT32_MAX : INT32_MAX; }
+    return sum < -INT32_MAX ? -INT32_MAX : sum;
 }
 
 /* x into [-limit, limit]. */
@@ -130,7 +144,7 @@ static inline int32_t cairn_clamp(int32_t x, int32_t limit)
 
 /* ---- cairn_real: Q16.16, saturating ---- */
 
-static inline cairn_real cairn_real_add(cairn_real a, cairn_real b) { return cairn_clamp64((int64_t)a + b); }
+static inline cairn_real cairn_real_add(cairn_real a, cairn_real b) { return cairn_add_clamped(a, b); }
 static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return cairn_clamp64((int64_t)a - b); }
 static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return cairn_clamp64(((int64_t)a * b + 32768) >> 16); }
 static inline cairn_real cairn_real_from_int(int32_t x) { return cairn_clamp64((int64_t)x * 65536); }
@@ -197,15 +211,28 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
 static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
 {
     int32_t low = by + (int32_t)*residue; /* |by| stays a residue below 8 m */
-    int64_t moved = (int64_t)*x + (low >> 12);
+    int32_t wrapped = (int32_t)((uint32_t)*x + (uint32_t)(low >> 12));
     *residue = (cairn_residue)(low & 4095);
-    *x = cairn_clamp64(moved);
-    return moved == *x;
+    *x = cairn_add_clamped(*x, low >> 12);
+    return *x == wrapped;
 }
 /* To minus from. Both must lie within 512 m of one another. */
 static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
 {
     return (int32_t)((uint32_t)(to - from) << 6) + (((int32_t)to_residue - (int32_t)from_residue) >> 6);
+}
+/* Move a coordinate by an offset. */
+static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue, cairn_offset by)
+{
+    int32_t low = ((by & 63) << 6) + (int32_t)*residue;
+    *residue = (cairn_residue)(low & 4095);
+    *x = cairn_clamp64((int64_t)*x + (by >> 6) + (low >> 12));
+}
+static inline cairn_motion cairn_motion_half(cairn_motion x) { return x >> 1; }
+/* x c + y s, rounded; saturates */
+static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s)
+{
+    return cairn_clamp64(((int64_t)x * c + (int64_t)y * s + 536870912) >> 30);
 }
 /* The nearest API number. */
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
@@ -246,7 +273,7 @@ static inline cairn_dir cairn_dir_negate(cairn_dir d) { return (cairn_dir)-d; }
 /* ---- cairn_motion: the solver's sweeps ---- */
 
 static inline cairn_motion cairn_motion_clamp(cairn_motion x, cairn_motion limit) { return cairn_clamp(x, limit); }
-static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return cairn_clamp64((int64_t)a + b); }
+static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return cairn_add_clamped(a, b); }
 /* x dx + y dy */
 static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy)
 {
@@ -256,9 +283,10 @@ static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { retur
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return cairn_mul16(a, j, 13); }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return cairn_mul32(a, s, 30); }
-/* a times a coefficient; saturates */
+/* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {
+    if ((uint32_t)f <= (uint32_t)CAIRN_FACTOR(1)) { return cairn_mul32(a, f, 20); }
     return cairn_clamp64(((int64_t)a * f + 524288) >> 20);
 }
 
@@ -292,5 +320,6 @@ cairn_ratio cairn_factor_inverse(cairn_factor f);
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return (cairn_ratio)(((int32_t)a * b + 8192) >> 14); }
 /* sqrt(a b), both non-negative, rounded to nearest. */
 cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b);
+static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }
 
 #endif

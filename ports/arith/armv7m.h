@@ -1,0 +1,57 @@
+/*
+ * The primitives of arith_fixed.h for Cortex-M3 and up (ARMv7-M, v7E-M, v8-M Mainline): SMULL and SMLAL give the whole
+ * product, and a right shift leaves the last bit that fell out in the carry, so one ADC joins the two words and rounds.
+ * The DSP extension's SMULWB and SMMUL drop bits below their 16 or 32: they give the right bits for no 14-bit
+ * shift; SMMULR does for a shift of 32 and is used where there is one.
+ * Where the compiler does not make Thumb-2 code the same steps are plain C, so that the host's tests cover them.
+ */
+#ifndef CAIRN_ARITH_ARMV7M_H
+#define CAIRN_ARITH_ARMV7M_H
+
+#include <stdint.h>
+
+#define CAIRN_PORT_MUL16(a, b, shift) cairn_armv7m_mul32(a, b, shift)
+#define CAIRN_PORT_MUL32(a, b, shift) cairn_armv7m_mul32(a, b, shift)
+#define CAIRN_PORT_DOT16(a, b, c, d) cairn_armv7m_dot32(a, b, c, d, 14)
+#define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
+#define CAIRN_PORT_CLZ(x) cairn_armv7m_clz(x)
+#define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)
+
+/* x / 2^shift, halves upwards */
+static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)
+{
+    uint32_t low = (uint32_t)x, high = (uint32_t)((uint64_t)x >> 32);
+    if (shift == 32) { return (int32_t)(high + (low >> 31)); }
+#if defined(__GNUC__) && defined(__thumb2__)
+    if (__builtin_constant_p(shift)) {
+        /* C has no way to the carry */
+        __asm__("lsrs %1, %1, %2\n\tadc %0, %1, %0, lsl %3" : "+r"(high), "+r"(low) : "M"(shift), "M"(32 - shift) : "cc");
+        return (int32_t)high;
+    }
+#endif
+    return (int32_t)((high << (32 - shift)) + (low >> shift) + (low >> (shift - 1) & 1u));
+}
+
+static inline int32_t cairn_armv7m_mul32(int32_t a, int32_t b, int shift)
+{
+#if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
+    if (__builtin_constant_p(shift) && shift == 32) {
+        int32_t r;
+        __asm__("smmulr %0, %1, %2" : "=r"(r) : "r"(a), "r"(b));
+        return r;
+    }
+#endif
+    return cairn_armv7m_narrow((int64_t)a * b, shift);
+}
+
+static inline int32_t cairn_armv7m_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
+{
+    return cairn_armv7m_narrow((int64_t)a * b + (int64_t)c * d, shift);
+}
+
+static inline int cairn_armv7m_clz(uint32_t x)
+{
+    return x != 0 ? __builtin_clz(x) : 32; /* CLZ gives the 32 by itself, and the compilers know it */
+}
+
+#endif
