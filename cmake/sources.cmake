@@ -2,13 +2,20 @@
 set(CAIRN_SOURCES
     src/arbiter.c
     src/arith_fixed.c
+    src/body.c
+    src/bounce.c
     src/broad_pairs.c
     src/collide_circle_polygon.c
     src/collide_polygon.c
     src/contact.c
+    src/hash.c
     src/material.c
+    src/motion.c
     src/rows.c
     src/shape_box.c
     src/shape_circle.c
     src/shape_polygon.c
+    src/solver_slides.c
+    src/solver_soft.c
+    src/world.c
 )

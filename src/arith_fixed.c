@@ -412,4 +412,17 @@ cairn_ratio cairn_factor_inverse(cairn_factor f)
     return r > (uint32_t)INT16_MAX ? INT16_MAX : (cairn_ratio)r;
 }
 
+cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s)
+{
+    int64_t square = (int64_t)u * u + 2 * ((int64_t)g * s);
+    uint32_t speed = square > 0 ? root((uint64_t)square) : 0;
+    return speed > INT32_MAX ? INT32_MAX : (int32_t)speed;
+}
+
+cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
+{
+    int32_t quotient = cairn_wide_scale(1, cairn_wide_div(cairn_wide_of(x, -28), cairn_wide_of(f, -20)), 28);
+    return x < 0 ? -quotient : quotient;
+}
+
 #endif

@@ -13,11 +13,12 @@ extern "C" {
 
 /* One contact point's row. Impulses are in sub-step units: impulse * h * (1/mA + 1/mB), see DESIGN.md. */
 typedef struct cairn_row {
-    cairn_motion impulse;    /* accumulated, never negative */
-    cairn_motion separation; /* at the start of the step; negative when penetrating */
+    cairn_motion impulse; /* accumulated, never negative */
+    cairn_motion gap;     /* at the start of the step: the separation where positive, else the push-out per sub-step */
     cairn_lever lever_a, lever_b;
-    cairn_ratio mass; /* effective mass over the reduced mass */
-    uint8_t feature;  /* which corner of which edge: matches points from step to step */
+    cairn_ratio mass;      /* effective mass over the reduced mass */
+    cairn_ratio soft_mass; /* the same, softened */
+    uint16_t feature;      /* which corner meets which edge: matches points from step to step */
 } cairn_row;
 
 typedef struct cairn_arbiter {

@@ -141,6 +141,17 @@ static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { r
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f) { return a * f; }
 
+static inline cairn_unit cairn_motion_fraction(cairn_motion part, cairn_motion whole)
+{
+    return part < 0 ? 0 : part > whole ? 1 : part / whole;
+}
+static inline cairn_motion cairn_motion_unit(cairn_motion x, cairn_unit u) { return x * u; }
+static inline cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s)
+{
+    double square = u * u + 2 * g * s;
+    return square > 0 ? sqrt(square) : 0;
+}
+static inline cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f) { return x / f; }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return x * k; }
 
 typedef struct cairn_diffused {
@@ -157,6 +168,8 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d) { return d->whole; }
 static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k) { return s * j * k; }
+static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return a * b; }
+static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }
 static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return a * b; }
 static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return sqrt(a * b); }

@@ -290,6 +290,16 @@ static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
     return cairn_clamp64(((int64_t)a * f + 524288) >> 20);
 }
 
+/* x as a share of a whole: part / whole in [0, 1]; 0 < whole. */
+static inline cairn_unit cairn_motion_fraction(cairn_motion part, cairn_motion whole)
+{
+    return cairn_offset_fraction(part < 0 ? 0 : part > whole ? whole : part, whole);
+}
+static inline cairn_motion cairn_motion_unit(cairn_motion x, cairn_unit u) { return cairn_mul32(x, u, 30); }
+/* The speed after a way s under the acceleration g: sqrt(u^2 + 2 g s), 0 where that is negative. */
+cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s);
+/* x / f, f > 0; saturates */
+cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f);
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
 
 /* A constant change per sub-step that is smaller than its last bit can say: the rest is carried from call to call. */
@@ -315,6 +325,9 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
 {
     return cairn_mul32(s, (int32_t)j * k, 32) >> 4; /* Q30 * Q26 = Q56 -> Q20 */
 }
+static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
+/* x x + y y: one, but for rounding */
+static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return ((int32_t)x * x + (int32_t)y * y + 128) >> 8; }
 /* 1 / f, at most 2; relative error below 2^-13. */
 cairn_ratio cairn_factor_inverse(cairn_factor f);
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return (cairn_ratio)(((int32_t)a * b + 8192) >> 14); }

@@ -13,7 +13,6 @@ struct cairn_world;
 /* The stage of the step that makes bodies bounce. It is linked only where a material names it. */
 typedef struct cairn_bounce_class {
     void (*impact)(struct cairn_world *world, int substep);
-    void (*finish)(struct cairn_world *world);
 } cairn_bounce_class;
 
 extern const cairn_bounce_class cairn_bounce;

@@ -34,7 +34,7 @@ typedef struct cairn_mass_data {
 typedef struct cairn_shape_class {
     uint8_t rank;
     cairn_status (*check)(const struct cairn_shape *shape);
-    void (*mass)(const struct cairn_shape *shape, cairn_mass_data *mass);
+    void (*measure)(const struct cairn_shape *shape, cairn_mass_data *mass);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
     /* The outline about the centre of mass, rotated by (c, s); null for circles. */

@@ -1,0 +1,247 @@
+/*
+ * Arbiters: one for each pair of bodies within reach of one another, kept in the order of their bodies' places so that
+ * the solver's order does not depend on how pairs are found.
+ */
+#include "engine.h"
+#include <cairn/spring.h>
+
+static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
+
+/* The first place whose arbiter's key is not below this one. */
+static uint16_t place_of(const cairn_world *world, uint32_t key)
+{
+    uint16_t low = 0, high = world->arbiter_count;
+    while (low < high) {
+        uint16_t middle = (uint16_t)(low + ((high - low) >> 1));
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, middle);
+        if (key_of(arbiter->a, arbiter->b) < key) {
+            low = (uint16_t)(middle + 1);
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* Coulomb's coefficients of the pair: geometric means. */
+static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const cairn_material *b)
+{
+    arbiter->static_friction = a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
+    arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
+    arbiter->flags = (uint8_t)(a->restitution > 0 || b->restitution > 0 ? arbiter->flags | CAIRN_ARBITER_BOUNCY
+                                                                        : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
+}
+
+/* What each body takes of a change of the relative velocity. */
+static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    if (!cairn_body_is_dynamic(a)) {
+        arbiter->share_a = 0;
+        arbiter->share_b = CAIRN_SHARE(1);
+        return;
+    }
+    arbiter->share_a = cairn_wide_to_share(cairn_wide_div(b->mass, cairn_wide_add(a->mass, b->mass)));
+    arbiter->share_b = CAIRN_SHARE(1) - arbiter->share_a;
+}
+
+static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uint16_t b)
+{
+    if (world->arbiter_count == world->arbiter_capacity) {
+        world->stats.dropped++;
+        return NULL;
+    }
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    uint16_t slot = world->order[world->arbiter_count];
+    memmove(&world->order[place + 1], &world->order[place], (size_t)(world->arbiter_count - place) * sizeof *world->order);
+    world->order[place] = slot;
+    world->arbiter_count++;
+
+    cairn_arbiter *arbiter = &world->arbiters[slot];
+    memset(arbiter, 0, sizeof *arbiter);
+    arbiter->a = a;
+    arbiter->b = b;
+    if ((body_a->flags | body_b->flags) & CAIRN_BODY_SENSOR) {
+        arbiter->flags |= CAIRN_ARBITER_SENSOR;
+    }
+    if ((body_a->flags | body_b->flags) & CAIRN_BODY_FIXED_POSITION) {
+        arbiter->flags |= CAIRN_ARBITER_PIVOT;
+    }
+    mix_materials(arbiter, body_a->material, body_b->material);
+    share_masses(arbiter, body_a, body_b);
+    return arbiter;
+}
+
+static cairn_pose pose_of(const cairn_body *body, cairn_offset x, cairn_offset y)
+{
+    cairn_pose pose;
+    pose.shape = body->shape;
+    pose.x = x;
+    pose.y = y;
+    pose.c = body->cosine;
+    pose.s = body->sine;
+    return pose;
+}
+
+/* The contact seen from the other body: centres are (x, y) apart. */
+static void turn_round(cairn_manifold *manifold, cairn_offset x, cairn_offset y)
+{
+    manifold->normal_x = -manifold->normal_x;
+    manifold->normal_y = -manifold->normal_y;
+    for (int i = 0; i < manifold->count; i++) {
+        manifold->points[i].x += x;
+        manifold->points[i].y += y;
+    }
+}
+
+void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
+{
+    cairn_offset x = cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue);
+    cairn_offset y = cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue);
+    uint8_t rank_a = a->shape->kind->rank, rank_b = b->shape->kind->rank;
+    if (rank_a <= rank_b) {
+        cairn_pose pa = pose_of(a, 0, 0), pb = pose_of(b, x, y);
+        b->shape->kind->collide[rank_a](&pa, &pb, margin, out);
+    } else {
+        cairn_pose pb = pose_of(b, 0, 0), pa = pose_of(a, -x, -y);
+        a->shape->kind->collide[rank_b](&pb, &pa, margin, out);
+        turn_round(out, x, y);
+    }
+}
+
+/* May these two meet at all? */
+static bool may_meet(const cairn_world *world, uint16_t a, uint16_t b)
+{
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
+        return false;
+    }
+    if (!(body_a->layer & body_b->mask) || !(body_b->layer & body_a->mask)) {
+        return false;
+    }
+    return !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !world->springs->kind->joined(world, a, b);
+}
+
+static bool any_penetrates(const cairn_manifold *manifold)
+{
+    return manifold->points[0].separation <= 0 || (manifold->count > 1 && manifold->points[1].separation <= 0);
+}
+
+void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
+{
+    world->stats.pairs++;
+    if (!may_meet(world, a, b)) {
+        return;
+    }
+    /* The body that does not move, else the one with the lower place, comes first. */
+    bool first_moves = cairn_body_is_dynamic(&world->bodies[a]), second_moves = cairn_body_is_dynamic(&world->bodies[b]);
+    if ((first_moves && !second_moves) || (first_moves == second_moves && a > b)) {
+        uint16_t swap = a;
+        a = b;
+        b = swap;
+    }
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    cairn_manifold manifold;
+    cairn_bodies_collide(body_a, body_b, cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b), &manifold);
+    if (manifold.count == 0) {
+        return;
+    }
+    uint16_t place = place_of(world, key_of(a, b));
+    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
+    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
+        arbiter = insert(world, place, a, b);
+        if (arbiter == NULL) {
+            return;
+        }
+    }
+    arbiter->flags |= CAIRN_ARBITER_FRESH;
+    if (any_penetrates(&manifold)) {
+        arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+    }
+    cairn_arbiter_prepare(world, arbiter, &manifold);
+    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR)) {
+        arbiter->flags |= CAIRN_ARBITER_SOLVED;
+        cairn_body_wake_up(world, body_a);
+        cairn_body_wake_up(world, body_b);
+    }
+}
+
+void cairn_arbiters_begin(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        bool touched = (arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0;
+        if (!cairn_body_is_active(&world->bodies[arbiter->a]) && !cairn_body_is_active(&world->bodies[arbiter->b])) {
+            arbiter->flags &= (uint8_t)~(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHED);
+            arbiter->flags |= (uint8_t)(touched ? CAIRN_ARBITER_TOUCHED : 0);
+            continue;
+        }
+        arbiter->flags &= (uint8_t)~(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED);
+        arbiter->flags |= (uint8_t)(touched ? CAIRN_ARBITER_TOUCHED : 0);
+    }
+}
+
+/* Keep the arbiters for which `keep` holds, in order; the others' slots go to the free ones behind. */
+static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body), uint16_t body)
+{
+    uint16_t kept = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        if (keep(world, cairn_arbiter_at(world, place), body)) {
+            uint16_t slot = world->order[place];
+            world->order[place] = world->order[kept];
+            world->order[kept++] = slot;
+        }
+    }
+    world->arbiter_count = kept;
+}
+
+static bool is_current(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body)
+{
+    (void)body;
+    return (arbiter->flags & CAIRN_ARBITER_FRESH)
+        || (!cairn_body_is_active(&world->bodies[arbiter->a]) && !cairn_body_is_active(&world->bodies[arbiter->b]));
+}
+
+void cairn_arbiters_sweep(cairn_world *world) { retain(world, is_current, 0); }
+
+static bool is_of_others(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body)
+{
+    (void)world;
+    return arbiter->a != body && arbiter->b != body;
+}
+
+void cairn_arbiters_wake_partners(cairn_world *world, uint16_t body)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (!is_of_others(world, arbiter, body)) {
+            cairn_body_wake_up(world, &world->bodies[arbiter->a == body ? arbiter->b : arbiter->a]);
+        }
+    }
+}
+
+void cairn_arbiters_remove_body(cairn_world *world, uint16_t body)
+{
+    cairn_arbiters_wake_partners(world, body);
+    retain(world, is_of_others, body);
+}
+
+void cairn_arbiters_refresh_materials(cairn_world *world, uint16_t body)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (!is_of_others(world, arbiter, body)) {
+            mix_materials(arbiter, world->bodies[arbiter->a].material, world->bodies[arbiter->b].material);
+        }
+    }
+}
+
+void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        arbiter->friction_impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->friction_impulse, factor), CAIRN_IMPULSE_MAX);
+        for (int i = 0; i < 2; i++) {
+            arbiter->rows[i].impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->rows[i].impulse, factor), CAIRN_IMPULSE_MAX);
+        }
+    }
+}

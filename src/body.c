@@ -1,0 +1,630 @@
+/* Bodies: their pool, their state as the game sees it, and their motion in the step. */
+#include "engine.h"
+#include <cairn/spring.h>
+
+#define MASS_MIN cairn_wide_of(1, -24)       /* 6e-8 kg */
+#define MASS_MAX cairn_wide_from_int(1000000000)
+
+/* ---- ids ---- */
+
+static bool holds(const cairn_world *world, cairn_body_id id)
+{
+    if (id.index == 0 || id.index > world->body_end) {
+        return false;
+    }
+    const cairn_body *body = &world->bodies[id.index - 1];
+    return (body->flags & CAIRN_BODY_USED) && body->generation == id.generation;
+}
+
+cairn_body *cairn_body_find(cairn_world *world, cairn_body_id id)
+{
+    if (world == NULL) {
+        return NULL;
+    }
+    if (!holds(world, id)) {
+        cairn_fail(world, CAIRN_ERROR_STALE);
+        return NULL;
+    }
+    return &world->bodies[id.index - 1];
+}
+
+/* The same for calls that change the body; *status says why not. */
+static cairn_body *find_to_change(cairn_world *world, cairn_body_id id, cairn_status *status)
+{
+    cairn_body *body = NULL;
+    if (world == NULL) {
+        *status = CAIRN_ERROR_NULL;
+    } else if (world->locked) {
+        *status = cairn_fail(world, CAIRN_ERROR_LOCKED);
+    } else {
+        body = cairn_body_find(world, id);
+        *status = body == NULL ? CAIRN_ERROR_STALE : CAIRN_OK;
+    }
+    return body;
+}
+
+static cairn_body *find_dynamic(cairn_world *world, cairn_body_id id, cairn_status *status)
+{
+    cairn_body *body = find_to_change(world, id, status);
+    if (body != NULL && !cairn_body_is_dynamic(body)) {
+        *status = cairn_fail(world, CAIRN_ERROR_KIND);
+        body = NULL;
+    }
+    return body;
+}
+
+cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body)
+{
+    cairn_body_id id;
+    id.index = (uint16_t)(body - world->bodies + 1);
+    id.generation = body->generation;
+    return id;
+}
+
+bool cairn_body_exists(const cairn_world *world, cairn_body_id id) { return world != NULL && holds(world, id); }
+
+cairn_body_id cairn_world_next_body(const cairn_world *world, cairn_body_id id)
+{
+    if (world != NULL) {
+        for (uint16_t i = id.index; i < world->body_end; i++) {
+            if (world->bodies[i].flags & CAIRN_BODY_USED) {
+                return cairn_body_id_of(world, &world->bodies[i]);
+            }
+        }
+    }
+    return cairn_body_id_null();
+}
+
+/* ---- create and destroy ---- */
+
+static bool within(cairn_real x, cairn_real limit) { return x <= limit && x >= -limit; }
+
+static bool is_material_valid(const cairn_material *material)
+{
+    return material->kinetic_friction >= 0 && material->kinetic_friction <= material->static_friction
+        && material->static_friction <= CAIRN_FACTOR(64) && material->restitution >= 0 && material->restitution <= CAIRN_FACTOR(1)
+        && material->threshold >= 0 && (material->restitution == 0 || material->bounce != NULL);
+}
+
+static cairn_status check(const cairn_world *world, const cairn_body_def *def, cairn_mass_data *mass)
+{
+    if (def == NULL || def->shape == NULL || def->shape->kind == NULL || def->material == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    if (world->locked) {
+        return CAIRN_ERROR_LOCKED;
+    }
+    cairn_status status = cairn_shape_measure(def->shape, mass);
+    if (status != CAIRN_OK) {
+        return status;
+    }
+    if ((def->type != CAIRN_DYNAMIC && def->type != CAIRN_STATIC && def->type != CAIRN_KINEMATIC) || !is_material_valid(def->material)
+        || !within(def->position.x, CAIRN_WORLD_EDGE) || !within(def->position.y, CAIRN_WORLD_EDGE)
+        || !within(def->gravity_scale, CAIRN_F(16)) || def->damping < 0 || def->damping > CAIRN_F(1000) || def->angular_damping < 0
+        || def->angular_damping > CAIRN_F(1000)) {
+        return CAIRN_ERROR_RANGE;
+    }
+    if (def->type == CAIRN_DYNAMIC) {
+        cairn_wide kilograms = cairn_wide_mul(mass->area, def->density);
+        if (cairn_wide_less(kilograms, MASS_MIN) || cairn_wide_less(MASS_MAX, kilograms)) {
+            return CAIRN_ERROR_RANGE;
+        }
+    }
+    return CAIRN_OK;
+}
+
+static cairn_body *take_place(cairn_world *world)
+{
+    uint16_t place = world->body_free;
+    if (place != CAIRN_NONE) {
+        world->body_free = world->bodies[place].next;
+    } else if (world->body_end < world->body_capacity) {
+        place = world->body_end++;
+        world->bodies[place].generation = 0;
+    } else {
+        return NULL;
+    }
+    cairn_body *body = &world->bodies[place];
+    uint16_t generation = body->generation;
+    memset(body, 0, sizeof *body);
+    body->generation = (uint16_t)(generation == 0 ? 1 : generation);
+    world->stats.bodies++;
+    return body;
+}
+
+static void update_plain(cairn_body *body)
+{
+    bool plain = body->gravity_scale == CAIRN_F(1) && body->damping == 0 && body->angular_damping == 0
+              && cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
+    body->flags = (uint16_t)(plain ? body->flags | CAIRN_BODY_PLAIN : body->flags & ~CAIRN_BODY_PLAIN);
+}
+
+/* A shape's origin relative to its centre of mass, in the world. */
+static void centroid_of(const cairn_body *body, cairn_offset *x, cairn_offset *y)
+{
+    const cairn_polygon *polygon = body->shape->polygon;
+    *x = *y = 0;
+    if (polygon != NULL) {
+        *x = cairn_offset_dot(polygon->centroid.x, -polygon->centroid.y, body->cosine, body->sine);
+        *y = cairn_offset_dot(polygon->centroid.x, polygon->centroid.y, body->sine, body->cosine);
+    }
+}
+
+static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cairn_angle angle)
+{
+    cairn_offset cx, cy;
+    body->angle = angle;
+    cairn_angle_rotation(angle, &body->cosine, &body->sine);
+    centroid_of(body, &cx, &cy);
+    body->x = position.x;
+    body->y = position.y;
+    body->x_residue = cairn_residue_zero();
+    body->y_residue = cairn_residue_zero();
+    cairn_coordinate_shift(&body->x, &body->x_residue, cx);
+    cairn_coordinate_shift(&body->y, &body->y_residue, cy);
+    cairn_body_refresh_extents(world, body);
+}
+
+static void set_spin(cairn_world *world, cairn_body *body, cairn_real radians_per_second)
+{
+    if (cairn_wide_is_zero(body->inverse_gyration)) {
+        return;
+    }
+    body->w = cairn_motion_from_real(radians_per_second, cairn_wide_div(world->substep, body->inverse_gyration));
+    cairn_body_limit_speed(world, body);
+}
+
+static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 velocity)
+{
+    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+        return;
+    }
+    body->vx = cairn_motion_from_real(velocity.x, world->substep);
+    body->vy = cairn_motion_from_real(velocity.y, world->substep);
+    cairn_body_limit_speed(world, body);
+}
+
+cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_def *def)
+{
+    cairn_mass_data mass;
+    if (world == NULL) {
+        return cairn_body_id_null();
+    }
+    cairn_status status = check(world, def, &mass);
+    if (status != CAIRN_OK) {
+        cairn_fail(world, status);
+        return cairn_body_id_null();
+    }
+    cairn_body *body = take_place(world);
+    if (body == NULL) {
+        cairn_fail(world, CAIRN_ERROR_FULL);
+        return cairn_body_id_null();
+    }
+    bool dynamic = def->type == CAIRN_DYNAMIC;
+    body->flags = (uint16_t)((unsigned)def->type | CAIRN_BODY_USED | (def->sensor ? CAIRN_BODY_SENSOR : 0u)
+                             | (dynamic && def->fixed_rotation ? CAIRN_BODY_FIXED_ROTATION : 0u)
+                             | (dynamic && def->fixed_position ? CAIRN_BODY_FIXED_POSITION : 0u));
+    body->shape = def->shape;
+    body->material = def->material;
+    body->user = def->user;
+    body->layer = def->layer;
+    body->mask = def->mask;
+    body->gravity_scale = def->gravity_scale;
+    body->damping = def->damping;
+    body->angular_damping = def->angular_damping;
+    if (dynamic) {
+        body->mass = cairn_wide_mul(mass.area, def->density);
+    }
+    if (def->type != CAIRN_STATIC && !(body->flags & CAIRN_BODY_FIXED_ROTATION)) {
+        body->inverse_gyration = cairn_wide_div(cairn_wide_from_int(1), mass.gyration);
+    }
+    update_plain(body);
+    if (def->type != CAIRN_STATIC) {
+        set_velocity(world, body, def->velocity);
+        set_spin(world, body, def->angular_velocity);
+    }
+    place(world, body, def->position, def->angle);
+    if (def->material->bounce != NULL) {
+        world->bounce = def->material->bounce;
+    }
+    return cairn_body_id_of(world, body);
+}
+
+cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body == NULL) {
+        return status;
+    }
+    uint16_t index = (uint16_t)(id.index - 1);
+    cairn_arbiters_remove_body(world, index);
+    if (world->springs != NULL) {
+        world->springs->kind->remove_body(world, index);
+    }
+    body->flags = 0;
+    body->generation = (uint16_t)(body->generation == UINT16_MAX ? 1 : body->generation + 1);
+    body->next = world->body_free;
+    world->body_free = index;
+    world->stats.bodies--;
+    return CAIRN_OK;
+}
+
+/* ---- what the game may ask ---- */
+
+static cairn_vec2 origin_of(const cairn_body *body)
+{
+    cairn_offset cx, cy;
+    centroid_of(body, &cx, &cy);
+    cairn_real x = body->x, y = body->y;
+    cairn_residue rx = body->x_residue, ry = body->y_residue;
+    cairn_coordinate_shift(&x, &rx, -cx);
+    cairn_coordinate_shift(&y, &ry, -cy);
+    return cairn_vec2_of(cairn_coordinate_round(x, rx), cairn_coordinate_round(y, ry));
+}
+
+cairn_vec2 cairn_body_position(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : origin_of(body);
+}
+
+static cairn_vec2 center_of(const cairn_body *body)
+{
+    return cairn_vec2_of(cairn_coordinate_round(body->x, body->x_residue), cairn_coordinate_round(body->y, body->y_residue));
+}
+
+cairn_vec2 cairn_body_center(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : center_of(body);
+}
+
+cairn_angle cairn_body_angle(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? 0 : body->angle;
+}
+
+static cairn_vec2 velocity_of(const cairn_world *world, const cairn_body *body)
+{
+    return cairn_vec2_of(cairn_real_from_motion(body->vx, world->inverse_substep), cairn_real_from_motion(body->vy, world->inverse_substep));
+}
+
+static cairn_real spin_of(const cairn_world *world, const cairn_body *body)
+{
+    return cairn_real_from_motion(body->w, cairn_wide_mul(body->inverse_gyration, world->inverse_substep));
+}
+
+cairn_vec2 cairn_body_velocity(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : velocity_of(world, body);
+}
+
+cairn_real cairn_body_angular_velocity(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? 0 : spin_of(world, body);
+}
+
+/* A point relative to the centre of mass. */
+static cairn_vec2 arm_to(const cairn_body *body, cairn_vec2 point)
+{
+    cairn_vec2 center = center_of(body);
+    return cairn_vec2_of(cairn_real_sub(point.x, center.x), cairn_real_sub(point.y, center.y));
+}
+
+/* v + cross(w, r) */
+cairn_vec2 cairn_body_velocity_at(cairn_world *world, cairn_body_id id, cairn_vec2 point)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 v = velocity_of(world, body), r = arm_to(body, point);
+    cairn_real spin = spin_of(world, body);
+    return cairn_vec2_of(cairn_real_sub(v.x, cairn_real_mul(spin, r.y)), cairn_real_add(v.y, cairn_real_mul(spin, r.x)));
+}
+
+cairn_vec2 cairn_body_to_world(cairn_world *world, cairn_body_id id, cairn_vec2 local)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 origin = origin_of(body);
+    return cairn_vec2_of(cairn_real_add(origin.x, cairn_real_turn(local.x, -local.y, body->cosine, body->sine)),
+                         cairn_real_add(origin.y, cairn_real_turn(local.x, local.y, body->sine, body->cosine)));
+}
+
+cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 point)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 origin = origin_of(body);
+    cairn_real x = cairn_real_sub(point.x, origin.x), y = cairn_real_sub(point.y, origin.y);
+    return cairn_vec2_of(cairn_real_turn(x, y, body->cosine, body->sine), cairn_real_turn(x, y, -body->sine, body->cosine));
+}
+
+cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_wide_from_int(0) : body->mass;
+}
+
+/* m rho^2 */
+cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL || cairn_wide_is_zero(body->mass)) {
+        return cairn_wide_from_int(0);
+    }
+    return cairn_wide_div(body->mass, cairn_wide_mul(body->inverse_gyration, body->inverse_gyration));
+}
+
+const cairn_shape *cairn_body_shape(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? NULL : body->shape;
+}
+
+cairn_body_type cairn_body_get_type(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? CAIRN_DYNAMIC : cairn_body_type_of(body);
+}
+
+void *cairn_body_user(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? NULL : body->user;
+}
+
+bool cairn_body_is_awake(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body != NULL && cairn_body_is_active(body);
+}
+
+bool cairn_body_is_sensor(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body != NULL && (body->flags & CAIRN_BODY_SENSOR) != 0;
+}
+
+/* ---- what the game may change ---- */
+
+void cairn_body_wake_up(cairn_world *world, cairn_body *body)
+{
+    (void)world;
+    body->flags &= (uint16_t)~CAIRN_BODY_ASLEEP;
+    body->rest = 0;
+}
+
+cairn_status cairn_body_wake(cairn_world *world, cairn_body_id id)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+    }
+    return status;
+}
+
+cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cairn_vec2 position, cairn_angle angle)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body == NULL) {
+        return status;
+    }
+    if (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE)) {
+        return cairn_fail(world, CAIRN_ERROR_RANGE);
+    }
+    cairn_arbiters_remove_body(world, (uint16_t)(id.index - 1));
+    cairn_body_wake_up(world, body);
+    place(world, body, position, angle);
+    return CAIRN_OK;
+}
+
+static cairn_body *find_mobile(cairn_world *world, cairn_body_id id, cairn_status *status)
+{
+    cairn_body *body = find_to_change(world, id, status);
+    if (body != NULL && cairn_body_type_of(body) == CAIRN_STATIC) {
+        *status = cairn_fail(world, CAIRN_ERROR_KIND);
+        body = NULL;
+    }
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+    }
+    return body;
+}
+
+cairn_status cairn_body_set_velocity(cairn_world *world, cairn_body_id id, cairn_vec2 velocity)
+{
+    cairn_status status;
+    cairn_body *body = find_mobile(world, id, &status);
+    if (body != NULL) {
+        set_velocity(world, body, velocity);
+    }
+    return status;
+}
+
+cairn_status cairn_body_set_angular_velocity(cairn_world *world, cairn_body_id id, cairn_real radians_per_second)
+{
+    cairn_status status;
+    cairn_body *body = find_mobile(world, id, &status);
+    if (body != NULL) {
+        set_spin(world, body, radians_per_second);
+    }
+    return status;
+}
+
+cairn_status cairn_body_set_material(cairn_world *world, cairn_body_id id, const cairn_material *material)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body == NULL) {
+        return status;
+    }
+    if (material == NULL) {
+        return cairn_fail(world, CAIRN_ERROR_NULL);
+    }
+    if (!is_material_valid(material)) {
+        return cairn_fail(world, CAIRN_ERROR_RANGE);
+    }
+    body->material = material;
+    if (material->bounce != NULL) {
+        world->bounce = material->bounce;
+    }
+    cairn_arbiters_refresh_materials(world, (uint16_t)(id.index - 1));
+    return CAIRN_OK;
+}
+
+cairn_status cairn_body_set_layers(cairn_world *world, cairn_body_id id, uint16_t layer, uint16_t mask)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body != NULL) {
+        cairn_arbiters_wake_partners(world, (uint16_t)(id.index - 1));
+        cairn_body_wake_up(world, body);
+        body->layer = layer;
+        body->mask = mask;
+    }
+    return status;
+}
+
+cairn_status cairn_body_set_gravity_scale(cairn_world *world, cairn_body_id id, cairn_real scale)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body == NULL) {
+        return status;
+    }
+    if (!within(scale, CAIRN_F(16))) {
+        return cairn_fail(world, CAIRN_ERROR_RANGE);
+    }
+    body->gravity_scale = scale;
+    update_plain(body);
+    cairn_body_wake_up(world, body);
+    return CAIRN_OK;
+}
+
+cairn_status cairn_body_set_damping(cairn_world *world, cairn_body_id id, cairn_real linear, cairn_real angular)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body == NULL) {
+        return status;
+    }
+    if (linear < 0 || linear > CAIRN_F(1000) || angular < 0 || angular > CAIRN_F(1000)) {
+        return cairn_fail(world, CAIRN_ERROR_RANGE);
+    }
+    body->damping = linear;
+    body->angular_damping = angular;
+    update_plain(body);
+    return CAIRN_OK;
+}
+
+cairn_status cairn_body_set_user(cairn_world *world, cairn_body_id id, void *user)
+{
+    cairn_status status;
+    cairn_body *body = find_to_change(world, id, &status);
+    if (body != NULL) {
+        body->user = user;
+    }
+    return status;
+}
+
+/* r x f */
+static cairn_real cross(cairn_vec2 r, cairn_vec2 f) { return cairn_real_sub(cairn_real_mul(r.x, f.y), cairn_real_mul(r.y, f.x)); }
+
+/* Add a force's (or impulse's) velocity change: `per_mass` is h^2 (or h). */
+static void add_linear(cairn_body *body, cairn_motion *x, cairn_motion *y, cairn_vec2 amount, cairn_wide per_mass)
+{
+    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        cairn_wide k = cairn_wide_div(per_mass, body->mass);
+        *x = cairn_motion_add(*x, cairn_motion_from_real(amount.x, k));
+        *y = cairn_motion_add(*y, cairn_motion_from_real(amount.y, k));
+    }
+}
+
+/* The same for a torque: rho T / I = T / (m rho). */
+static void add_angular(cairn_body *body, cairn_motion *w, cairn_real amount, cairn_wide per_mass)
+{
+    cairn_wide k = cairn_wide_mul(cairn_wide_div(per_mass, body->mass), body->inverse_gyration);
+    *w = cairn_motion_add(*w, cairn_motion_from_real(amount, k));
+}
+
+cairn_status cairn_body_apply_force(cairn_world *world, cairn_body_id id, cairn_vec2 force)
+{
+    cairn_status status;
+    cairn_body *body = find_dynamic(world, id, &status);
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+        add_linear(body, &body->ux, &body->uy, force, cairn_wide_mul(world->substep, world->substep));
+    }
+    return status;
+}
+
+cairn_status cairn_body_apply_torque(cairn_world *world, cairn_body_id id, cairn_real torque)
+{
+    cairn_status status;
+    cairn_body *body = find_dynamic(world, id, &status);
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+        add_angular(body, &body->uw, torque, cairn_wide_mul(world->substep, world->substep));
+    }
+    return status;
+}
+
+cairn_status cairn_body_apply_force_at(cairn_world *world, cairn_body_id id, cairn_vec2 force, cairn_vec2 point)
+{
+    cairn_status status = cairn_body_apply_force(world, id, force);
+    return status != CAIRN_OK ? status : cairn_body_apply_torque(world, id, cross(arm_to(cairn_body_find(world, id), point), force));
+}
+
+cairn_status cairn_body_apply_impulse(cairn_world *world, cairn_body_id id, cairn_vec2 impulse)
+{
+    cairn_status status;
+    cairn_body *body = find_dynamic(world, id, &status);
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+        add_linear(body, &body->vx, &body->vy, impulse, world->substep);
+        cairn_body_limit_speed(world, body);
+    }
+    return status;
+}
+
+cairn_status cairn_body_apply_angular_impulse(cairn_world *world, cairn_body_id id, cairn_real impulse)
+{
+    cairn_status status;
+    cairn_body *body = find_dynamic(world, id, &status);
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
+        add_angular(body, &body->w, impulse, world->substep);
+        cairn_body_limit_speed(world, body);
+    }
+    return status;
+}
+
+cairn_status cairn_body_apply_impulse_at(cairn_world *world, cairn_body_id id, cairn_vec2 impulse, cairn_vec2 point)
+{
+    cairn_status status = cairn_body_apply_impulse(world, id, impulse);
+    return status != CAIRN_OK ? status : cairn_body_apply_angular_impulse(world, id, cross(arm_to(cairn_body_find(world, id), point), impulse));
+}
+
+cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)
+{
+    if (shape == NULL || shape->kind == NULL || out == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    cairn_status status = shape->kind->check(shape);
+    if (status == CAIRN_OK) {
+        shape->kind->measure(shape, out);
+    }
+    return status;
+}

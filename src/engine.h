@@ -1,0 +1,169 @@
+/*
+ * What the engine's own files share, in the order of the step:
+ * world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> arbiter.c (refresh) -> collide_*.c (manifold)
+ * -> rows.c (prepare) -> solver_soft.c or solver_slides.c, with bounce.c and spring.c -> body.c (move) -> sleep.c.
+ */
+#ifndef CAIRN_ENGINE_H
+#define CAIRN_ENGINE_H
+
+#include <cairn/world.h>
+
+#define CAIRN_NONE 0xFFFFu
+
+/* Bodies within this reach of one another get an arbiter before they touch. */
+#define CAIRN_REACH CAIRN_OFFSET(0.005)
+/* Centres of mass stay within this distance of the origin on each axis, m. */
+#define CAIRN_WORLD_EDGE CAIRN_F(16000)
+
+/* body.flags: the type in the lowest two bits, and: */
+enum {
+    CAIRN_BODY_TYPE = 3,
+    CAIRN_BODY_USED = 1 << 2,
+    CAIRN_BODY_SENSOR = 1 << 3,
+    CAIRN_BODY_FIXED_ROTATION = 1 << 4,
+    CAIRN_BODY_FIXED_POSITION = 1 << 5,
+    CAIRN_BODY_ASLEEP = 1 << 6,
+    CAIRN_BODY_SPRUNG = 1 << 7,   /* a spring without contact holds it */
+    CAIRN_BODY_HELD = 1 << 8,     /* a contact or spring acted on it in this step */
+    CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
+};
+
+/* arbiter.flags */
+enum {
+    CAIRN_ARBITER_FRESH = 1 << 0,    /* seen by this step's narrow phase */
+    CAIRN_ARBITER_SENSOR = 1 << 1,   /* not solved */
+    CAIRN_ARBITER_TOUCHING = 1 << 2,
+    CAIRN_ARBITER_TOUCHED = 1 << 3,  /* touching in the step before */
+    CAIRN_ARBITER_BOUNCY = 1 << 4,
+    CAIRN_ARBITER_SOLVED = 1 << 6,   /* pushes in this step */
+    CAIRN_ARBITER_PIVOT = 1 << 5     /* a body of fixed position takes part: its linear share is not its angular one */
+};
+
+static inline cairn_body_type cairn_body_type_of(const cairn_body *body) { return (cairn_body_type)(body->flags & CAIRN_BODY_TYPE); }
+static inline bool cairn_body_is_dynamic(const cairn_body *body) { return (body->flags & CAIRN_BODY_TYPE) == CAIRN_DYNAMIC; }
+/* Takes part in the step: used, not static, not asleep. */
+static inline bool cairn_body_is_active(const cairn_body *body)
+{
+    return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) == CAIRN_BODY_USED && (body->flags & CAIRN_BODY_TYPE) != CAIRN_STATIC;
+}
+
+static inline cairn_status cairn_fail(cairn_world *world, cairn_status status)
+{
+    world->error = (int8_t)status;
+    return status;
+}
+
+/* ---- body.c ---- */
+cairn_body *cairn_body_find(cairn_world *world, cairn_body_id id); /* null and the error set if stale */
+cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body);
+void cairn_body_wake_up(cairn_world *world, cairn_body *body);
+
+/* ---- motion.c ---- */
+/* Half sizes of the bounding box, with the margin for this step's motion. */
+void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body);
+/* How far the body's surface can move in this step, and the reach. */
+cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
+/* A velocity into the limits; counts what was cut. */
+void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
+
+/* The first sub-step's velocities: forces, gravity and damping; u keeps the velocities before. */
+void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy);
+/* A further sub-step's: the last change once more, with this change of gravity. */
+void cairn_bodies_repeat(cairn_world *world, cairn_motion gx, cairn_motion gy);
+/* The end of the step: poses move by the displacements. */
+void cairn_bodies_finish(cairn_world *world);
+
+/* ---- broad phase ---- */
+extern const cairn_broad_class cairn_broad_pairs;
+static inline bool cairn_boxes_overlap(const cairn_body *a, const cairn_body *b)
+{
+    cairn_real x = a->x - b->x, y = a->y - b->y, reach_x = a->extent_x + b->extent_x, reach_y = a->extent_y + b->extent_y;
+    return x <= reach_x && -x <= reach_x && y <= reach_y && -y <= reach_y;
+}
+
+/* ---- narrow phase ---- */
+typedef struct cairn_pose {
+    const cairn_shape *shape;
+    cairn_offset x, y; /* centre of mass, relative to the first body's */
+    cairn_unit c, s;
+} cairn_pose;
+
+typedef struct cairn_offset2 {
+    cairn_offset x, y;
+} cairn_offset2;
+
+typedef struct cairn_hull {
+    int count;
+    cairn_offset2 vertex[CAIRN_MAX_VERTICES];
+    struct {
+        cairn_unit x, y;
+    } normal[CAIRN_MAX_VERTICES];
+} cairn_hull;
+
+typedef struct cairn_manifold_point {
+    cairn_offset x, y;       /* half way between the surfaces, relative to the first body's centre of mass */
+    cairn_offset separation;
+    uint16_t feature;
+} cairn_manifold_point;
+
+typedef struct cairn_manifold {
+    cairn_unit normal_x, normal_y; /* from the first to the second body */
+    int count;
+    cairn_manifold_point points[2];
+} cairn_manifold;
+
+void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+/* The outline of a pose, in place. */
+void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull);
+
+/* ---- arbiter.c ---- */
+/* Both bodies come within reach of one another's boxes: refresh their arbiter. Each pair once a step. */
+void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
+/* Before the pairs: nothing is fresh yet. */
+void cairn_arbiters_begin(cairn_world *world);
+/* After the pairs: forget the arbiters that none of them refreshed. */
+void cairn_arbiters_sweep(cairn_world *world);
+/* Forget the arbiters of a body and wake its partners. */
+void cairn_arbiters_remove_body(cairn_world *world, uint16_t body);
+/* The manifold of two bodies where they are now. */
+void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
+
+/* Wake all that it touches. */
+void cairn_arbiters_wake_partners(cairn_world *world, uint16_t body);
+/* After a change of a body's material. */
+void cairn_arbiters_refresh_materials(cairn_world *world, uint16_t body);
+/* After a change of the sub-step. */
+void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor);
+
+static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
+
+/* ---- rows.c: one contact point as a row of the constraint system ---- */
+/* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
+void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
+
+/* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
+#define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */
+#define CAIRN_SOFT_MASS CAIRN_RATIO(0.94785)          /* of the effective mass */
+#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(0.05215)       /* of the accumulated impulse that is given back */
+/* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
+#define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.8)
+/* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
+#define CAIRN_SWEEP_SPEED CAIRN_MOTION(1.5)
+#define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.65)
+#define CAIRN_SWEEP_SPEED_WIDE cairn_wide_div(cairn_wide_from_int(3), cairn_wide_from_int(2))
+#define CAIRN_SWEEP_SPIN_WIDE cairn_wide_div(cairn_wide_from_int(13), cairn_wide_from_int(20))
+#define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(13576), cairn_wide_from_int(100000))
+
+/* ---- spring.c, through the class so that worlds without springs do not link it ---- */
+typedef struct cairn_spring_class {
+    void (*prepare)(cairn_world *world);
+    void (*substep)(cairn_world *world, int substep);
+    bool (*joined)(const cairn_world *world, uint16_t a, uint16_t b); /* by a spring without contact */
+    void (*remove_body)(cairn_world *world, uint16_t body);
+    void (*link)(cairn_world *world, void (*visit)(cairn_world *world, uint16_t a, uint16_t b)); /* for sleep */
+    uint32_t (*hash)(const cairn_world *world, uint32_t hash);
+} cairn_spring_class;
+
+#endif

@@ -1,0 +1,168 @@
+/* The motion of bodies in the step: velocities from forces, poses from displacements, and the limits of both. */
+#include "engine.h"
+
+void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
+{
+    cairn_motion vx = cairn_motion_clamp(body->vx, world->speed_limit), vy = cairn_motion_clamp(body->vy, world->speed_limit);
+    cairn_motion w = cairn_motion_clamp(body->w, world->spin_limit);
+    if (vx != body->vx || vy != body->vy || w != body->w) {
+        world->stats.saturations++;
+        body->vx = vx;
+        body->vy = vy;
+        body->w = w;
+    }
+}
+
+static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
+
+/* A surface lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by spin. */
+cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
+{
+    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy))
+                       + 3 * cairn_offset_from_motion(magnitude(body->w));
+    return CAIRN_REACH + speed * world->substeps;
+}
+
+void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body)
+{
+    cairn_real reach = cairn_real_above_offset(cairn_body_reach(world, body));
+    body->shape->kind->extents(body->shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
+    body->extent_x += reach;
+    body->extent_y += reach;
+}
+
+/* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */
+static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real damping)
+{
+    if (damping == 0 || v == 0) {
+        return v;
+    }
+    cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(world->rate));
+    return cairn_motion_scale(v, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_add(cairn_wide_from_int(1), c_dt)));
+}
+
+static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)
+{
+    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+        return 0;
+    }
+    return cairn_motion_factor(gravity, cairn_factor_from_real(body->gravity_scale));
+}
+
+void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (!cairn_body_is_active(body)) {
+            continue;
+        }
+        body->dx = body->dy = body->dw = 0;
+        cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
+        if (!(body->flags & CAIRN_BODY_PLAIN)) {
+            body->vx = damped(world, body->vx, body->damping);
+            body->vy = damped(world, body->vy, body->damping);
+            body->w = damped(world, body->w, body->angular_damping);
+        }
+        body->ux = body->vx;
+        body->uy = body->vy;
+        body->uw = body->w;
+        if (body->flags & CAIRN_BODY_PLAIN) {
+            body->vx = cairn_motion_add(body->vx + gx, fx);
+            body->vy = cairn_motion_add(body->vy + gy, fy);
+            body->w = cairn_motion_add(body->w, fw);
+        } else if (cairn_body_is_dynamic(body)) {
+            body->vx = cairn_motion_add(body->vx + scaled(gx, body), fx);
+            body->vy = cairn_motion_add(body->vy + scaled(gy, body), fy);
+            body->w = cairn_motion_add(body->w, fw);
+        }
+        cairn_body_limit_speed(world, body);
+    }
+}
+
+void cairn_bodies_repeat(cairn_world *world, cairn_motion gx, cairn_motion gy)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (!cairn_body_is_active(body)) {
+            continue;
+        }
+        cairn_motion vx = body->vx, vy = body->vy, w = body->w;
+        body->vx = 2 * vx - body->ux;
+        body->vy = 2 * vy - body->uy;
+        body->w = 2 * w - body->uw;
+        body->ux = vx;
+        body->uy = vy;
+        body->uw = w;
+        if (body->flags & CAIRN_BODY_PLAIN) {
+            body->vx += gx;
+            body->vy += gy;
+        }
+        cairn_body_limit_speed(world, body);
+    }
+}
+
+/* Which bodies a contact acted on, and which pairs touched. */
+static void mark_held(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (!(arbiter->flags & CAIRN_ARBITER_SOLVED)) {
+            continue;
+        }
+        world->stats.points = (uint16_t)(world->stats.points + arbiter->count);
+        if (arbiter->rows[0].impulse != 0 || (arbiter->count > 1 && arbiter->rows[1].impulse != 0)) {
+            arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+            world->bodies[arbiter->a].flags |= CAIRN_BODY_HELD;
+            world->bodies[arbiter->b].flags |= CAIRN_BODY_HELD;
+        }
+    }
+}
+
+/* Stop a coordinate at the edge of the world. */
+static void move_coordinate(cairn_world *world, cairn_real *x, cairn_residue *residue, cairn_motion *v, cairn_motion by)
+{
+    cairn_coordinate_move(x, residue, by);
+    if (*x > CAIRN_WORLD_EDGE || *x < -CAIRN_WORLD_EDGE) {
+        *x = *x > 0 ? CAIRN_WORLD_EDGE : -CAIRN_WORLD_EDGE;
+        *residue = cairn_residue_zero();
+        *v = 0;
+        world->stats.saturations++;
+    }
+}
+
+/*
+ * Symplectic Euler goes half a sub-step's gravity too far in every sub-step. Where nothing but gravity acted, taking
+ * that back gives the parabola exactly.
+ */
+static void straighten(const cairn_world *world, cairn_body *body)
+{
+    cairn_motion gx = world->gravity_x.whole, gy = world->gravity_y.whole;
+    if (!(body->flags & CAIRN_BODY_PLAIN)) {
+        gx = scaled(gx, body);
+        gy = scaled(gy, body);
+    }
+    body->dx -= cairn_motion_half(gx * world->substeps);
+    body->dy -= cairn_motion_half(gy * world->substeps);
+}
+
+void cairn_bodies_finish(cairn_world *world)
+{
+    mark_held(world);
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (!cairn_body_is_active(body)) {
+            continue;
+        }
+        if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_HELD)) {
+            straighten(world, body);
+        }
+        body->flags &= (uint16_t)~CAIRN_BODY_HELD;
+        move_coordinate(world, &body->x, &body->x_residue, &body->vx, body->dx);
+        move_coordinate(world, &body->y, &body->y_residue, &body->vy, body->dy);
+        if (body->dw != 0) {
+            body->angle = cairn_angle_add(body->angle, cairn_angle_from_motion(body->dw, body->inverse_gyration));
+            cairn_angle_rotation(body->angle, &body->cosine, &body->sine);
+        }
+        body->ux = body->uy = body->uw = 0;
+    }
+}

@@ -1,0 +1,85 @@
+/*
+ * From a manifold to the rows of the constraint system, in the contact frame: n the normal, t = (-n.y, n.x). A point
+ * at (height along n, arm along t) from a centre has r x n = -arm and r x t = height, so no anchor is stored.
+ */
+#include "engine.h"
+
+/* 1 / (J M^-1 J^T) of a row, times (1/mA + 1/mB). */
+static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever jb)
+{
+    return cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(arbiter->share_b, jb, jb));
+}
+
+static cairn_lever lever(const cairn_body *body, cairn_offset arm)
+{
+    bool turns = !cairn_wide_is_zero(body->inverse_gyration);
+    return turns ? cairn_lever_of(arm, body->inverse_gyration) : 0;
+}
+
+/* The separation as the solver uses it: where positive itself, else the push-out per sub-step. */
+static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
+{
+    if (separation > 0) {
+        return cairn_motion_from_offset(separation);
+    }
+    cairn_offset beyond = separation + cairn_offset_from_real(world->slop);
+    if (beyond >= 0) {
+        return 0;
+    }
+    cairn_motion push = cairn_motion_ratio(cairn_motion_from_offset(beyond), CAIRN_SOFT_BETA);
+    return push < -world->push_out_limit ? -world->push_out_limit : push;
+}
+
+/* Hand the impulses of points that persist to their new rows. */
+static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold)
+{
+    cairn_row old[2] = { arbiter->rows[0], arbiter->rows[1] };
+    int old_count = arbiter->count;
+    bool kept = false;
+    for (int i = 0; i < manifold->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        row->feature = manifold->points[i].feature;
+        row->impulse = 0;
+        for (int j = 0; j < old_count; j++) {
+            if (old[j].feature == row->feature) {
+                row->impulse = old[j].impulse;
+                kept = true;
+            }
+        }
+    }
+    if (!kept) {
+        arbiter->friction_impulse = 0;
+    }
+    arbiter->count = (uint8_t)manifold->count;
+}
+
+void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold)
+{
+    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    cairn_unit nx = manifold->normal_x, ny = manifold->normal_y;
+    cairn_offset bx = cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue);
+    cairn_offset by = cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue);
+    cairn_offset b_height = cairn_offset_dot(bx, by, nx, ny), b_arm = cairn_offset_dot(bx, by, -ny, nx);
+    cairn_factor linear = cairn_factor_from_share((a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_a)
+                                                  + (b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_b));
+
+    keep_impulses(arbiter, manifold);
+    arbiter->normal_x = cairn_dir_from_unit(nx);
+    arbiter->normal_y = cairn_dir_from_unit(ny);
+    cairn_offset height = 0;
+    for (int i = 0; i < manifold->count; i++) {
+        const cairn_manifold_point *point = &manifold->points[i];
+        cairn_row *row = &arbiter->rows[i];
+        cairn_offset arm = cairn_offset_dot(point->x, point->y, -ny, nx);
+        cairn_offset here = cairn_offset_dot(point->x, point->y, nx, ny);
+        height = i == 0 ? here : height + cairn_offset_half(here - height);
+        row->gap = gap_of(world, point->separation);
+        row->lever_a = lever(a, -arm);
+        row->lever_b = lever(b, b_arm - arm);
+        row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
+        row->soft_mass = cairn_ratio_mul(row->mass, CAIRN_SOFT_MASS);
+    }
+    arbiter->friction_lever_a = lever(a, height);
+    arbiter->friction_lever_b = lever(b, height - b_height);
+    arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
+}

@@ -1,0 +1,190 @@
+/* The world: its settings, and the step that calls the stages in their order. */
+#include "engine.h"
+#include <cairn/spring.h>
+
+/* Powers of what the sub-step decides: call after any change of rate, sub-steps, gravity or push-out. */
+static void derive(cairn_world *world)
+{
+    cairn_wide per_second = cairn_wide_mul(cairn_wide_from_real(world->rate), cairn_wide_from_int(world->substeps));
+    world->inverse_substep = per_second;
+    world->substep = cairn_wide_div(cairn_wide_from_int(1), per_second);
+    cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
+    world->gravity_x = cairn_diffused_of(world->gravity.x, squared);
+    world->gravity_y = cairn_diffused_of(world->gravity.y, squared);
+    world->push_out_limit = cairn_motion_from_real(world->push_out, world->substep);
+    /*
+     * Within the biased pass a body holds v + beta d with d up to n v; that must stay below CAIRN_SWEEP_SPEED, and d
+     * within its format.
+     */
+    cairn_wide lean = cairn_wide_add(cairn_wide_from_int(1), cairn_wide_mul(CAIRN_SOFT_BETA_WIDE, cairn_wide_from_int(world->substeps)));
+    world->speed_limit = cairn_wide_to_motion(cairn_wide_div(CAIRN_SWEEP_SPEED_WIDE, lean));
+    world->spin_limit = cairn_wide_to_motion(cairn_wide_div(CAIRN_SWEEP_SPIN_WIDE, lean));
+}
+
+/* Velocities and impulses are kept in sub-step units: bring them to a new sub-step. */
+static void rescale(cairn_world *world, cairn_wide old)
+{
+    cairn_wide factor = cairn_wide_div(world->substep, old), squared = cairn_wide_mul(factor, factor);
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        body->vx = cairn_motion_scale(body->vx, factor);
+        body->vy = cairn_motion_scale(body->vy, factor);
+        body->w = cairn_motion_scale(body->w, factor);
+        body->ux = cairn_motion_scale(body->ux, squared);
+        body->uy = cairn_motion_scale(body->uy, squared);
+        body->uw = cairn_motion_scale(body->uw, squared);
+        cairn_body_limit_speed(world, body);
+    }
+    cairn_arbiters_scale_impulses(world, squared);
+}
+
+cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver)
+{
+    if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
+        || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
+        || storage->arbiter_capacity > 65000) {
+        return NULL;
+    }
+    cairn_world *world = storage->world;
+    memset(world, 0, sizeof *world);
+    world->bodies = storage->bodies;
+    world->arbiters = storage->arbiters;
+    world->order = storage->order;
+    world->body_capacity = storage->body_capacity;
+    world->body_free = CAIRN_NONE;
+    world->arbiter_capacity = storage->arbiter_capacity;
+    for (uint16_t i = 0; i < world->arbiter_capacity; i++) {
+        world->order[i] = i;
+    }
+    world->solver = solver;
+    world->broad = &cairn_broad_pairs;
+    world->rate = CAIRN_F(60);
+    world->push_out = CAIRN_F(3);
+    world->substeps = 4;
+    world->passes = 10;
+    derive(world);
+    return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
+}
+
+static void refresh_extents(cairn_world *world)
+{
+    world->stats.awake = 0;
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (cairn_body_is_active(body)) {
+            world->stats.awake++;
+            cairn_body_refresh_extents(world, body);
+        }
+    }
+}
+
+cairn_status cairn_world_step(cairn_world *world)
+{
+    if (world == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    if (world->locked) {
+        return cairn_fail(world, CAIRN_ERROR_LOCKED);
+    }
+    world->stats.steps++;
+    world->stats.pairs = 0;
+    world->stats.points = 0;
+    refresh_extents(world);
+    cairn_arbiters_begin(world);
+    world->broad->find_pairs(world);
+    cairn_arbiters_sweep(world);
+    world->stats.arbiters = world->arbiter_count;
+    world->solver->solve(world);
+    cairn_bodies_finish(world);
+    if (world->sleep != NULL) {
+        world->sleep->settle(world);
+    }
+    return CAIRN_OK;
+}
+
+cairn_status cairn_world_error(cairn_world *world)
+{
+    if (world == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    cairn_status status = (cairn_status)world->error;
+    world->error = CAIRN_OK;
+    return status;
+}
+
+const cairn_world_stats *cairn_world_get_stats(const cairn_world *world) { return world == NULL ? NULL : &world->stats; }
+
+/* ---- settings ---- */
+
+static cairn_status may_set(cairn_world *world, bool in_range)
+{
+    if (world == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    if (world->locked) {
+        return cairn_fail(world, CAIRN_ERROR_LOCKED);
+    }
+    return in_range ? CAIRN_OK : cairn_fail(world, CAIRN_ERROR_RANGE);
+}
+
+cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity)
+{
+    cairn_real limit = CAIRN_F(2000);
+    cairn_status status = may_set(world, gravity.x <= limit && -gravity.x <= limit && gravity.y <= limit && -gravity.y <= limit);
+    if (status == CAIRN_OK) {
+        world->gravity = gravity;
+        derive(world);
+        for (uint16_t i = 0; i < world->body_end; i++) {
+            cairn_body_wake_up(world, &world->bodies[i]);
+        }
+    }
+    return status;
+}
+
+cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_second)
+{
+    cairn_status status = may_set(world, steps_per_second >= CAIRN_F(10) && steps_per_second <= CAIRN_F(2000));
+    if (status == CAIRN_OK) {
+        cairn_wide old = world->substep;
+        world->rate = steps_per_second;
+        derive(world);
+        rescale(world, old);
+    }
+    return status;
+}
+
+cairn_status cairn_world_set_substeps(cairn_world *world, int substeps)
+{
+    cairn_status status = may_set(world, substeps >= 1 && substeps <= 16);
+    if (status == CAIRN_OK) {
+        cairn_wide old = world->substep;
+        world->substeps = (uint8_t)substeps;
+        derive(world);
+        rescale(world, old);
+    }
+    return status;
+}
+
+cairn_status cairn_world_set_slop(cairn_world *world, cairn_real slop)
+{
+    cairn_status status = may_set(world, slop >= 0 && slop <= CAIRN_F(0.1));
+    if (status == CAIRN_OK) {
+        world->slop = slop;
+    }
+    return status;
+}
+
+cairn_status cairn_world_set_push_out(cairn_world *world, cairn_real speed)
+{
+    cairn_status status = may_set(world, speed >= 0 && speed <= CAIRN_F(100));
+    if (status == CAIRN_OK) {
+        world->push_out = speed;
+        derive(world);
+    }
+    return status;
+}
+
+cairn_real cairn_world_speed_limit(const cairn_world *world)
+{
+    return world == NULL ? 0 : cairn_real_from_motion(world->speed_limit, world->inverse_substep);
+}
