@@ -7,7 +7,6 @@ tests/qemu/check_probe.py BOARD PROBE.elf
 from __future__ import annotations
 
 import json
-import os
 import re
 import socket
 import subprocess
@@ -48,7 +47,7 @@ class Qmp:
 
     def __init__(self, argument: str) -> None:
         self.directory = tempfile.TemporaryDirectory(prefix="cairn-qmp-")
-        path = os.path.join(self.directory.name, "qmp")
+        path = str(Path(self.directory.name) / "qmp")
         extra = ["--qemu=-qmp", f"--qemu=unix:{path},server=on,wait=off"]
         line = [str(QEMU_RUN), "--timeout", "20", "--no-icount", *extra, BOARD, IMAGE, argument]
         self.process = subprocess.Popen(line, stdout=subprocess.PIPE, text=True)
@@ -153,9 +152,9 @@ class Handheld(unittest.TestCase):
             assert qemu.process.stdout is not None
             self.assertEqual(qemu.process.stdout.readline(), "drawn\n")
             with tempfile.TemporaryDirectory() as directory:
-                path = os.path.join(directory, "screen.ppm")
-                qemu.command("screendump", filename=path)
-                data = Path(path).read_bytes()
+                path = Path(directory) / "screen.ppm"
+                qemu.command("screendump", filename=str(path))
+                data = path.read_bytes()
             header, pixels = data.split(b"\n255\n", 1)
             self.assertEqual(header.split()[1:], [b"512", b"256"])
             row = pixels[: 512 * 3]

@@ -1,0 +1,22 @@
+/* A game of circles and nothing else, run and read by its symbols: no other feature may be linked with it. */
+#include <cairn/cairn.h>
+
+#include "cairn_port.h"
+
+enum { STEPS = 60, FELL = 0, STAYED = 1 };
+
+CAIRN_WORLD(yard, 4, 6);
+
+static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.25));
+
+int main(void)
+{
+    cairn_port_init();
+    cairn_world *world = cairn_world_init(&yard, cairn_vec2_of(0, CAIRN_F(-10)));
+    cairn_body_def def = cairn_body_def_default(&marble);
+    def.position = cairn_vec2_of(0, CAIRN_F(10));
+    const cairn_body_id body = cairn_body_create(world, &def);
+    for (int step = 0; step < STEPS; step++)
+        (void)cairn_world_step(world);
+    return cairn_body_position(world, body).y < CAIRN_F(6) ? FELL : STAYED;
+}
