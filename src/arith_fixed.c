@@ -325,6 +325,24 @@ int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
     return with_sign(high_word(product) ? UINT32_MAX : (uint32_t)product, x);
 }
 
+cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
+{
+    /* 2^32 / 2 pi over 2^28 is 16 / 2 pi, in Q30 here */
+    uint32_t k = high_word(cairn_product(inverse_gyration.mantissa, 2734261102u));
+    uint64_t product = cairn_product(magnitude(x), k);
+    int shift = -(inverse_gyration.exponent + 2);
+    uint32_t turned;
+
+    if (shift > 32) { /* the common case: the high word alone */
+        turned = shift > 63 ? 0 : (high_word(product) + ((uint32_t)1 << (shift - 33))) >> (shift - 32);
+    } else if (shift > 0) {
+        turned = (uint32_t)((product + ((uint64_t)1 << (shift - 1))) >> shift);
+    } else {
+        turned = shift > -32 ? (uint32_t)product << -shift : 0;
+    }
+    return (cairn_angle)(x < 0 ? 0u - turned : turned);
+}
+
 cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
 {
     uint64_t size = cairn_product(magnitude(x), k.mantissa); /* to Q60: Q28 and 32 bits below */

@@ -194,11 +194,8 @@ static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }
 static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return cairn_wide_scale(x, k, 12); }
 static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, -12); }
-/* A displacement times the inverse of the radius of gyration: the angle turned. */
-static inline cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
-{
-    return cairn_wide_scale(cairn_mul32(x, 683565276, 30), inverse_gyration, 2); /* 2^32 / 2 pi = 4 * 2/pi * 2^28 */
-}
+/* A displacement times the inverse of the radius of gyration: the angle turned; whole turns wrap away. */
+cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration);
 /* An arm over the radius of gyration. */
 static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
 {
@@ -210,16 +207,17 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
 /* Move a coordinate by a displacement; false if the edge of the world stopped it. */
 static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
 {
-    int32_t low = by + (int32_t)*residue; /* |by| stays a residue below 8 m */
-    int32_t wrapped = (int32_t)((uint32_t)*x + (uint32_t)(low >> 12));
+    int32_t low = (by & 4095) + (int32_t)*residue;
+    int32_t whole = (by >> 12) + (low >> 12);
+    cairn_real from = *x;
     *residue = (cairn_residue)(low & 4095);
-    *x = cairn_add_clamped(*x, low >> 12);
-    return *x == wrapped;
+    *x = cairn_add_clamped(from, whole);
+    return *x - whole == from;
 }
 /* To minus from. Both must lie within 512 m of one another. */
 static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
 {
-    return (int32_t)((uint32_t)(to - from) << 6) + (((int32_t)to_residue - (int32_t)from_residue) >> 6);
+    return (int32_t)((((uint32_t)to - (uint32_t)from) << 6) + (uint32_t)(((int32_t)to_residue - (int32_t)from_residue) >> 6));
 }
 /* Move a coordinate by an offset. */
 static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue, cairn_offset by)
@@ -244,9 +242,9 @@ static inline cairn_residue cairn_residue_zero(void) { return 0; }
 /* ---- cairn_offset and cairn_unit ---- */
 
 static inline cairn_offset cairn_offset_from_real(cairn_real x) { return (cairn_offset)((uint32_t)x << 6); } /* |x| < 512 m */
-static inline cairn_real cairn_real_from_offset(cairn_offset x) { return (x + 32) >> 6; }
+static inline cairn_real cairn_real_from_offset(cairn_offset x) { return (x >> 6) + (x >> 5 & 1); }
 static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return (cairn_motion)((uint32_t)cairn_clamp(x, 33554431) << 6); }
-static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x + 32) >> 6; }
+static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x >> 6) + (x >> 5 & 1); }
 #define CAIRN_OFFSET_MAX INT32_MAX
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x >> 1; }
 /* The next API number that is not below x. */
@@ -323,7 +321,7 @@ static inline cairn_factor cairn_factor_from_share(cairn_share s) { return (s + 
 /* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin. */
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k)
 {
-    return cairn_mul32(s, (int32_t)j * k, 32) >> 4; /* Q30 * Q26 = Q56 -> Q20 */
+    return (cairn_mul32(s, (int32_t)j * k, 32) + 8) >> 4; /* Q30 * Q26 = Q56 -> Q24 -> Q20 */
 }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
 /* x x + y y: one, but for rounding */
