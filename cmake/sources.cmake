@@ -15,7 +15,9 @@ set(CAIRN_SOURCES
     src/shape_box.c
     src/shape_circle.c
     src/shape_polygon.c
+    src/sleep.c
     src/solver_slides.c
     src/solver_soft.c
+    src/spring.c
     src/world.c
 )

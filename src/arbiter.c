@@ -158,10 +158,9 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         arbiter->flags |= CAIRN_ARBITER_TOUCHING;
     }
     cairn_arbiter_prepare(world, arbiter, &manifold);
-    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR)) {
+    bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
+    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps) {
         arbiter->flags |= CAIRN_ARBITER_SOLVED;
-        cairn_body_wake_up(world, body_a);
-        cairn_body_wake_up(world, body_b);
     }
 }
 

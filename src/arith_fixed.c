@@ -303,6 +303,12 @@ cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b)
     return wide_from_64(((uint64_t)large.mantissa << 31) + (((uint64_t)small.mantissa << 31) >> apart), large.exponent - 31);
 }
 
+cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
+{
+    int64_t value = (int64_t)a * d - (int64_t)b * c;
+    return wide_from_64(value < 0 ? (uint64_t)-value : (uint64_t)value, -60);
+}
+
 cairn_wide cairn_wide_sqrt(cairn_wide a)
 {
     int odd = (int)((uint32_t)a.exponent & 1u);

@@ -25,6 +25,9 @@ enum {
     CAIRN_BODY_ASLEEP = 1 << 6,
     CAIRN_BODY_SPRUNG = 1 << 7,   /* a spring without contact holds it */
     CAIRN_BODY_HELD = 1 << 8,     /* a contact or spring acted on it in this step */
+    CAIRN_BODY_SPRING = 1 << 10,  /* an end of a spring */
+    CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
+    CAIRN_BODY_RESTLESS = 1 << 12, /* heads a group that may not fall asleep yet */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
 };
 
@@ -163,7 +166,6 @@ typedef struct cairn_spring_class {
     bool (*joined)(const cairn_world *world, uint16_t a, uint16_t b); /* by a spring without contact */
     void (*remove_body)(cairn_world *world, uint16_t body);
     void (*link)(cairn_world *world, void (*visit)(cairn_world *world, uint16_t a, uint16_t b)); /* for sleep */
-    uint32_t (*hash)(const cairn_world *world, uint32_t hash);
 } cairn_spring_class;
 
 #endif

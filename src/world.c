@@ -36,6 +36,9 @@ static void rescale(cairn_world *world, cairn_wide old)
         cairn_body_limit_speed(world, body);
     }
     cairn_arbiters_scale_impulses(world, squared);
+    if (world->springs != NULL) {
+        world->springs->changed = true;
+    }
 }
 
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver)
@@ -89,9 +92,15 @@ cairn_status cairn_world_step(cairn_world *world)
     world->stats.steps++;
     world->stats.pairs = 0;
     world->stats.points = 0;
+    if (world->sleep != NULL) {
+        world->sleep->wake(world);
+    }
     refresh_extents(world);
     cairn_arbiters_begin(world);
     world->broad->find_pairs(world);
+    if (world->sleep != NULL && world->sleep->wake(world)) {
+        world->broad->find_pairs(world); /* what woke has pairs of its own */
+    }
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;
     world->solver->solve(world);

@@ -66,6 +66,7 @@ static inline cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b) { return b !
 static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a + b; }
 static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
 #define CAIRN_WIDE_PI CAIRN_PI
+static inline cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d) { return fabs(a * d - b * c); }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
@@ -153,6 +154,13 @@ static inline cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, 
 }
 static inline cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f) { return x / f; }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return x * k; }
+
+static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
+static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return x; }
+static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return x; }
+static inline cairn_wide cairn_wide_from_share(cairn_share x) { return x; }
+static inline cairn_share cairn_share_shift(cairn_share x, int n) { return ldexp(x, -n); }
+static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return a * b; }
 
 typedef struct cairn_diffused {
     cairn_motion whole;

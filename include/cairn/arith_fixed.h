@@ -177,6 +177,8 @@ cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b);
 cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b); /* b = 0 gives zero */
 cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b);
 cairn_wide cairn_wide_sqrt(cairn_wide a);
+/* |a d - b c|, of shares */
+cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d);
 /* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
 int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
 #define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
@@ -299,6 +301,15 @@ cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s
 /* x / f, f > 0; saturates */
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f);
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
+
+/* x * k */
+static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
+static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
+static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return cairn_wide_of(x, -14); }
+static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
+/* x / 2^n, 0 <= n <= 30 */
+static inline cairn_share cairn_share_shift(cairn_share x, int n) { return n > 0 ? (x + (1 << (n - 1))) >> n : x; }
+static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return cairn_mul32(a, b, 30); }
 
 /* A constant change per sub-step that is smaller than its last bit can say: the rest is carried from call to call. */
 typedef struct cairn_diffused {

@@ -27,7 +27,7 @@ typedef struct cairn_spring_def {
 
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
-    uint16_t a, b; /* body indices; a = CAIRN_NONE: free */
+    uint16_t a, b; /* body indices */
     uint16_t generation;
     uint8_t flags;
     struct {
@@ -35,11 +35,10 @@ typedef struct cairn_spring {
     } anchor_a, anchor_b; /* from the centres of mass, body frame */
     cairn_offset rest_length;
     cairn_wide stiffness, damping;
-    /* of this step */
+    /* the map of a sub-step, see spring.c */
     cairn_share share_a, share_b;
-    cairn_motion position_gain, velocity_gain, gravity_gain;
-    cairn_factor gain_scale;
-    cairn_motion impulse;
+    cairn_share velocity_gain, gravity_gain;
+    cairn_wide position_gain;
 } cairn_spring;
 
 struct cairn_spring_class;
@@ -48,6 +47,7 @@ typedef struct cairn_spring_pool {
     const struct cairn_spring_class *kind;
     cairn_spring *springs;
     uint16_t capacity, end;
+    bool changed; /* the springs' maps have to be made anew */
 } cairn_spring_pool;
 
 typedef struct cairn_spring_storage {

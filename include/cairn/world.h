@@ -30,7 +30,8 @@ typedef struct cairn_broad_class {
 
 /* What sleep adds to the step. */
 typedef struct cairn_sleep_class {
-    void (*settle)(struct cairn_world *world);
+    bool (*wake)(struct cairn_world *world);   /* what touches something awake; true if anything woke */
+    void (*settle)(struct cairn_world *world); /* what has come to rest falls asleep */
 } cairn_sleep_class;
 
 /* Counters of the last step, and of all steps where marked. */

@@ -1,0 +1,149 @@
+/*
+ * Sleep. At the end of a step, bodies linked by contacts and springs form groups (union-find over the bodies' `next`);
+ * a group all of whose bodies have been slow for half a second falls asleep as a whole, and wakes as a whole.
+ */
+#include "engine.h"
+#include <cairn/sleep.h>
+#include <cairn/spring.h>
+
+/* Slower than this, m/s, counts as rest; the same for the radius of gyration's speed by spin. */
+#define REST_SPEED CAIRN_F(0.03)
+
+/* ---- waking ---- */
+
+/* Moves, and so may wake what it touches. */
+static bool is_stirring(const cairn_body *body)
+{
+    return cairn_body_is_active(body) && (cairn_body_is_dynamic(body) || body->vx != 0 || body->vy != 0 || body->w != 0);
+}
+
+static bool is_asleep(const cairn_body *body) { return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) == (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP); }
+
+static void wake_neighbour(cairn_world *world, uint16_t a, uint16_t b)
+{
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    cairn_body *sleeper = is_asleep(body_a) && is_stirring(body_b) ? body_a : is_asleep(body_b) && is_stirring(body_a) ? body_b : NULL;
+    if (sleeper != NULL) {
+        cairn_body_wake_up(world, sleeper);
+        world->stats.awake++;
+    }
+}
+
+/* Wake whatever touches something awake, and so on through the group. True if anything woke. */
+static bool wake(cairn_world *world)
+{
+    uint16_t before, at_first = world->stats.awake;
+    do {
+        before = world->stats.awake;
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+            if (!(arbiter->flags & CAIRN_ARBITER_SENSOR)) {
+                wake_neighbour(world, arbiter->a, arbiter->b);
+            }
+        }
+        if (world->springs != NULL) {
+            world->springs->kind->link(world, wake_neighbour);
+        }
+    } while (world->stats.awake != before); /* each round but the last wakes a body */
+    return world->stats.awake != at_first;
+}
+
+/* ---- falling asleep ---- */
+
+static uint16_t root_of(cairn_world *world, uint16_t index)
+{
+    while (world->bodies[index].next != index) {
+        world->bodies[index].next = world->bodies[world->bodies[index].next].next;
+        index = world->bodies[index].next;
+    }
+    return index;
+}
+
+static void join(cairn_world *world, uint16_t a, uint16_t b)
+{
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (cairn_body_is_dynamic(body_a) && cairn_body_is_dynamic(body_b)) {
+        uint16_t root_a = root_of(world, a), root_b = root_of(world, b);
+        world->bodies[root_a > root_b ? root_a : root_b].next = root_a > root_b ? root_b : root_a;
+    } else if (cairn_body_is_dynamic(body_b) ? is_stirring(body_a) : is_stirring(body_b)) {
+        body_a->rest = 0; /* carried by a moving platform */
+        body_b->rest = 0;
+    }
+}
+
+static bool is_within(cairn_motion v, cairn_motion limit) { return v <= limit && -v <= limit; }
+
+static void count_rest(cairn_world *world, cairn_body *body)
+{
+    cairn_motion limit = cairn_motion_from_real(REST_SPEED, world->substep);
+    bool slow = is_within(body->vx, limit) && is_within(body->vy, limit) && is_within(body->w, limit);
+    body->rest = (uint16_t)(!slow ? 0 : body->rest < UINT16_MAX ? body->rest + 1 : UINT16_MAX);
+}
+
+static void fall_asleep(cairn_body *body)
+{
+    body->flags |= CAIRN_BODY_ASLEEP;
+    body->vx = body->vy = body->w = 0;
+}
+
+static void settle(cairn_world *world)
+{
+    uint16_t patience = (uint16_t)(cairn_real_floor(world->rate) / 2);
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (cairn_body_is_active(body)) {
+            body->next = i;
+            body->flags &= (uint16_t)~CAIRN_BODY_RESTLESS;
+            count_rest(world, body);
+        }
+    }
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
+            join(world, arbiter->a, arbiter->b);
+        }
+    }
+    if (world->springs != NULL) {
+        world->springs->kind->link(world, join);
+    }
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (cairn_body_is_active(body) && cairn_body_is_dynamic(body) && body->rest < patience) {
+            world->bodies[root_of(world, i)].flags |= CAIRN_BODY_RESTLESS;
+        }
+    }
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (cairn_body_is_active(body) && cairn_body_is_dynamic(body) && !(world->bodies[root_of(world, i)].flags & CAIRN_BODY_RESTLESS)) {
+            fall_asleep(body);
+        }
+    }
+}
+
+static const cairn_sleep_class class_of_sleep = { wake, settle };
+
+/* ---- for the game ---- */
+
+cairn_status cairn_sleep_enable(cairn_world *world)
+{
+    if (world == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    if (world->locked) {
+        return cairn_fail(world, CAIRN_ERROR_LOCKED);
+    }
+    world->sleep = &class_of_sleep;
+    return CAIRN_OK;
+}
+
+cairn_status cairn_sleep_disable(cairn_world *world)
+{
+    cairn_status status = cairn_sleep_enable(world);
+    if (status == CAIRN_OK) {
+        world->sleep = NULL;
+        for (uint16_t i = 0; i < world->body_end; i++) {
+            cairn_body_wake_up(world, &world->bodies[i]);
+        }
+    }
+    return status;
+}
