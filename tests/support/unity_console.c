@@ -1,5 +1,5 @@
 /* Collects Unity's characters to lines: a console call costs far more than a character. */
-#include "unity_console.h"
+#include "unity_config.h"
 
 #include "semihosting.h"
 
