@@ -25,7 +25,7 @@ class Cost:
     worst_instructions: int
     worst_instructions_from_start: int
     bodies: int
-    contact_points: int
+    points: int
     dropped_contacts: int
     stack_bytes: int
     hash: str
@@ -43,7 +43,7 @@ def measure(scene: Scene, core: str) -> Cost:
         worst_instructions=max(steady),
         worst_instructions_from_start=max(got.costs),
         bodies=len(scene.bodies),
-        contact_points=got.statistics["contact_points"],
+        points=got.statistics["points"],
         dropped_contacts=got.statistics["dropped_contacts"],
         stack_bytes=got.stack,
         hash=got.hash,

@@ -77,7 +77,7 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
     words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}"]
     words += [f"substeps={scene.substeps}", f"passes={scene.passes}"]
     if target == "host":
-        command = [str(_host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *words]
+        command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *words]
         output = _output_of(command, scene, None)
     else:
         with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
@@ -90,8 +90,8 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
 
 
 def table(scene: Scene, name: str) -> str:
-    """The scene as a C table, from the loader that the host runs scenes with; the command line's settings are not in it."""
-    return _output_of([str(_host_program("host", "cairn-table")), "-", name], scene, None)
+    """The scene as a C table, from the loader that the host runs scenes with, with the file's own settings."""
+    return _output_of([str(host_program("host", "cairn-table")), "-", name], scene, None)
 
 
 def build_image(scene: Scene, target: str, image: Path) -> None:
@@ -115,7 +115,7 @@ def _no_states(scene: Scene) -> Trajectory:
     return Trajectory(np.zeros(0, dtype=np.int64), np.zeros((0, len(scene.bodies), 6)))
 
 
-def _host_program(preset: str, name: str) -> Path:
+def host_program(preset: str, name: str) -> Path:
     """A program of the host's, built where it is not up to date."""
     _configure(preset)
     with _lock(preset):

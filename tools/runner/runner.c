@@ -113,8 +113,8 @@ static void print_stats(const cairn_world *world, uint32_t most_points)
 {
     const cairn_world_stats *stats = cairn_world_get_stats(world);
     print_number_line("stat arbiters", stats->arbiters);
-    print_number_line("stat contact_points", stats->points);
-    print_number_line("stat most_contact_points", most_points);
+    print_number_line("stat points", stats->points);
+    print_number_line("stat most_points", most_points);
     print_number_line("stat pairs", stats->pairs);
     print_number_line("stat awake", stats->awake);
     print_number_line("stat dropped_contacts", stats->dropped);
