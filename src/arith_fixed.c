@@ -65,48 +65,44 @@ static int clz64(uint64_t x)
     return high != 0 ? cairn_clz(high) : 32 + cairn_clz((uint32_t)x);
 }
 
-/* start * (1 + correction / 2^(30 + extra)) from Q15 to Q31, held below 2. */
-static uint32_t corrected(uint32_t start, int32_t correction, int extra)
+/* start (1 + correction), start in Q15, correction in Q30, to Q31 */
+static uint32_t corrected(uint32_t start, int32_t correction)
 {
-    uint32_t coarse = start << 16;
-    uint32_t fine = coarse + (uint32_t)cairn_mul32(correction, (int32_t)start, 14 + extra);
-    return correction > 0 && fine < coarse ? UINT32_MAX : fine;
+    return (start << 16) + (uint32_t)(correction * (int32_t)start >> 14);
 }
 
-/* 1 / m in Q15, within 2^-15.5; m in Q32, at least 1/2. */
-static uint32_t inverse_16(uint32_t m)
+/* 1 / m in Q15, within 2 units; m in Q32, at least 1/2. */
+static inline uint32_t inverse_16(uint32_t m)
 {
     uint32_t start = 256u + inverse_start[(m >> 26) - 32]; /* Q8, within 2^-5.9 */
     int32_t d = (int32_t)(0x80000000u - (m >> 9) * start) >> 14; /* 1 - m start, Q17 */
     int32_t c = d + (d * d >> 17);
     uint32_t r = (start * (uint32_t)(131072 + c) + 512) >> 10;
-    return r > 65535u ? 65535u : r;
+    return r - (r >> 16); /* 2 itself: one less */
 }
 
-/* 1 / m in Q31, within 2 units; m in Q32, at least 1/2. */
+/* 1 / m in Q31, within 4 units; m in Q32, at least 1/2. */
 static uint32_t inverse_32(uint32_t m)
 {
     uint32_t r = inverse_16(m);
-    int64_t left = ((int64_t)1 << 47) - (int64_t)cairn_product(m, r); /* 1 - m r, Q47 */
-    int32_t d = (int32_t)(left >> 2); /* Q45 */
-    int32_t square = ((d >> 16) * (d >> 16)) >> 13;
-    return corrected(r, d + square, 15);
+    int32_t d = (int32_t)(0x80000000u - (m >> 16) * r - ((m & 0xFFFFu) * r >> 16)); /* 1 - m r, Q31 */
+    uint32_t square = (uint32_t)(d >> 1) * (uint32_t)(d >> 1); /* Q60 */
+    return corrected(r, ((d + 1) >> 1) + (int32_t)(square >> 30));
 }
 
-/* 1 / sqrt(m) in Q31, within 4 units; m in Q32, at least 1/4. */
+/* 1 / sqrt(m) in Q31, within 5 units; m in Q32, at least 1/4. */
 static uint32_t inverse_root_32(uint32_t m)
 {
     uint32_t r = 256u + root_start[(m >> 26) - 16]; /* Q8, within 2^-5.8 */
     int32_t d = (int32_t)(0u - (m >> 14) * (r * r)) >> 15; /* 1 - m r^2, Q34 (its 1 is 2^34, gone in 32 bits), to Q19 */
     int32_t c = (d >> 1) + (3 * d * d >> 22); /* d/2 + 3/8 d^2 */
-    int64_t left;
+    uint32_t square;
 
     r = (r * (uint32_t)(524288 + c) + 2048) >> 12; /* Q15, within 2^-15 */
-    r = r > 65535u ? 65535u : r;
-    left = ((int64_t)1 << 62) - (int64_t)cairn_product(m, r * r); /* Q62 */
-    d = (int32_t)(left >> 18); /* Q44 */
-    c = d >> 16;
-    return corrected(r, (d >> 1) + (3 * c * c >> 15), 14);
+    r -= r >> 16; /* 2 itself: one less */
+    d = (int32_t)(0x40000000u - high_word(cairn_product(m, r * r))); /* Q30, below 2^-14 */
+    square = (uint32_t)d * (uint32_t)d; /* Q60 */
+    return corrected(r, ((d + 1) >> 1) + (int32_t)(square >> 31));
 }
 
 /* a / b in Q31, truncated; a <= b, b at least 2^31. */
@@ -240,6 +236,14 @@ cairn_angle cairn_angle_from_radians(cairn_real radians)
     return (cairn_angle)((uint32_t)radians * 10430u + (uint32_t)cairn_mul32(radians, 1625002897, 32));
 }
 
+cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole)
+{
+    /* part * 2^32 / whole, 16 bits at a time */
+    uint32_t under = (uint32_t)whole, over = (uint32_t)part << 16;
+    uint32_t high = over / under, rest = over % under;
+    return (cairn_angle)((high << 16) + ((rest << 16) + under / 2) / under);
+}
+
 /* ---- cairn_wide ---- */
 
 /* x * 2^exponent, rounded to 32 bits. */
@@ -270,6 +274,17 @@ static cairn_wide wide_from_64(uint64_t x, int32_t exponent)
 cairn_wide cairn_wide_of(int32_t x, int exponent)
 {
     return wide_from_64(magnitude(x), exponent);
+}
+
+cairn_wide cairn_wide_from_area(cairn_area a)
+{
+    return wide_from_64(a < 0 ? 0u - (uint64_t)a : (uint64_t)a, -44);
+}
+
+cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b)
+{
+    int64_t sum = (int64_t)a + b;
+    return wide_from_64(sum < 0 ? 0u - (uint64_t)sum : (uint64_t)sum, -22);
 }
 
 cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b)
@@ -316,18 +331,24 @@ cairn_wide cairn_wide_sqrt(cairn_wide a)
     return wide_from_64(root((uint64_t)a.mantissa << (32 - odd)), (a.exponent - 32 + odd) / 2);
 }
 
+/* x / 2^shift rounded, shift from 1 to 63; x < 2^63 */
+static uint64_t shifted(uint64_t x, int shift)
+{
+    return ((x >> (shift - 1)) + 1) >> 1;
+}
+
 int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
 {
     uint64_t product = cairn_product(magnitude(x), k.mantissa);
     int shift = -(k.exponent + exponent);
 
     if (shift > 32) { /* the common case: the high word alone */
-        uint32_t high = high_word(product);
-        return shift > 63 ? 0 : with_sign((high + ((uint32_t)1 << (shift - 33))) >> (shift - 32), x);
+        int32_t size = shift > 63 ? 0 : (int32_t)(((high_word(product) >> (shift - 33)) + 1) >> 1);
+        return x < 0 ? -size : size;
     }
     if (product == 0) { return 0; }
     if (shift <= 0) { return with_sign(UINT32_MAX, x); }
-    product = (product + ((uint64_t)1 << (shift - 1))) >> shift;
+    product = shifted(product, shift);
     return with_sign(high_word(product) ? UINT32_MAX : (uint32_t)product, x);
 }
 
@@ -340,9 +361,9 @@ cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
     uint32_t turned;
 
     if (shift > 32) { /* the common case: the high word alone */
-        turned = shift > 63 ? 0 : (high_word(product) + ((uint32_t)1 << (shift - 33))) >> (shift - 32);
+        turned = shift > 63 ? 0 : ((high_word(product) >> (shift - 33)) + 1) >> 1;
     } else if (shift > 0) {
-        turned = (uint32_t)((product + ((uint64_t)1 << (shift - 1))) >> shift);
+        turned = (uint32_t)shifted(product, shift);
     } else {
         turned = shift > -32 ? (uint32_t)product << -shift : 0;
     }
@@ -357,11 +378,11 @@ cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
 
     d.carry = 0;
     if (shift > 0) {
-        size = shift > 63 ? 0 : (size + ((uint64_t)1 << (shift - 1))) >> shift;
+        size = shift > 63 ? 0 : shifted(size, shift);
     } else if (size != 0) {
         size = -shift >= clz64(size) ? UINT64_MAX : size << -shift;
     }
-    if (size >> 32 >= (uint64_t)INT32_MAX) { size = (uint64_t)INT32_MAX << 32; }
+    if (high_word(size) >= (uint32_t)INT32_MAX) { size = (uint64_t)INT32_MAX << 32; }
     if (x < 0) { size = 0u - size; }
     d.whole = (cairn_motion)high_word(size);
     d.fraction = (uint32_t)size;
@@ -373,15 +394,24 @@ cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
 cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b)
 {
     int shift = cairn_clz((uint32_t)b);
-    return (cairn_unit)((fraction((uint32_t)a << shift, (uint32_t)b << shift) + 1) >> 1);
+    uint32_t q = (high_word(cairn_product((uint32_t)a << shift, inverse_32((uint32_t)b << shift))) + 1) >> 1;
+    return a == b ? CAIRN_UNIT(1) : (cairn_unit)q;
 }
 
 /* size * scale / 2^33, rounded, with a sign: one component of the unit vector */
 static cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
 {
-    uint32_t u = (high_word(cairn_product(size, scale)) + 1) >> 1;
-    int32_t held = u > 0x40000000u ? 0x40000000 : (int32_t)u;
-    return sign < 0 ? -held : held;
+    int32_t u = (int32_t)((high_word(cairn_product(size, scale)) + 1) >> 1);
+    u = u > CAIRN_UNIT(1) ? CAIRN_UNIT(1) : u;
+    return sign < 0 ? -u : u;
+}
+
+/* One of the two is zero. */
+static cairn_offset along_axis(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
+{
+    *ux = y != 0 ? 0 : x < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
+    *uy = y == 0 ? 0 : y < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
+    return with_sign(magnitude(x) + magnitude(y), 1);
 }
 
 cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
@@ -390,17 +420,7 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     uint64_t square;
     int shift;
 
-    *ux = CAIRN_UNIT(1);
-    *uy = 0;
-    if (y == 0) {
-        if (x < 0) { *ux = -*ux; }
-        return with_sign(ax, 1);
-    }
-    if (x == 0) {
-        *ux = 0;
-        *uy = y < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
-        return with_sign(ay, 1);
-    }
+    if (x == 0 || y == 0) { return along_axis(x, y, ux, uy); }
 
     /* Scale so that the squared length lies in [2^62, 2^64). */
     shift = cairn_clz(ax | ay) - 1;
@@ -408,7 +428,7 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     ax <<= shift;
     ay <<= shift;
     square = cairn_product(ax, ax) + cairn_product(ay, ay);
-    if (square >> 62 == 0) {
+    if (high_word(square) >> 30 == 0) {
         ax <<= 1;
         ay <<= 1;
         square <<= 2;
@@ -417,23 +437,30 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     r = inverse_root_32(high_word(square));
     *ux = component(ax, r, x);
     *uy = component(ay, r, y);
-    /* length = square / length; from 32 m on that is too coarse for the last bit, so take the root itself */
-    if (shift < 4) { return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1); }
-    length = high_word(cairn_product(high_word(square), r)) + (1u << (shift - 2));
-    return (cairn_offset)(length >> (shift - 1));
+    if (shift >= 4) { /* below 32 m: length = square / length */
+        length = high_word(cairn_product(high_word(square), r));
+        return (cairn_offset)(((length >> (shift - 2)) + 1) >> 1);
+    }
+    /* That is too coarse for the last bit of a longer one: take the root itself. */
+    return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1);
 }
 
 /* ---- coefficients ---- */
 
+/* 1 / f for f below 1, which no effective mass is */
+static cairn_ratio inverse_of_fraction(cairn_factor f)
+{
+    uint32_t r = f > CAIRN_FACTOR(0.5) ? (inverse_16((uint32_t)f << 12) + 1) >> 1 : (uint32_t)INT16_MAX;
+    return r > (uint32_t)INT16_MAX ? INT16_MAX : (cairn_ratio)r;
+}
+
 cairn_ratio cairn_factor_inverse(cairn_factor f)
 {
-    int shift;
-    uint32_t r;
+    int down = 1; /* f = m 2^down, m in [1/2, 1) */
 
-    if (f <= CAIRN_FACTOR(0.5)) { return INT16_MAX; }
-    shift = cairn_clz((uint32_t)f); /* f = m 2^(12 - shift), m in [1/2, 1) */
-    r = (inverse_16((uint32_t)f << shift) + (1u << (12 - shift))) >> (13 - shift); /* Q15 -> Q14 */
-    return r > (uint32_t)INT16_MAX ? INT16_MAX : (cairn_ratio)r;
+    if (f < CAIRN_FACTOR(1)) { return inverse_of_fraction(f); }
+    for (; f >= CAIRN_FACTOR(2); f >>= 1) { down++; } /* most are below 4: cheaper than to count zeros */
+    return (cairn_ratio)(((inverse_16((uint32_t)f << 11) >> down) + 1) >> 1); /* Q15 -> Q14 */
 }
 
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s)

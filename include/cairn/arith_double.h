@@ -19,6 +19,7 @@ typedef double cairn_ratio;
 typedef double cairn_share;
 typedef double cairn_factor;
 typedef double cairn_wide;
+typedef double cairn_area;
 typedef uint8_t cairn_residue; /* nothing lies below a double's last bit */
 
 #define CAIRN_PI 3.14159265358979323846
@@ -59,6 +60,7 @@ static inline void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, c
 static inline cairn_angle cairn_angle_of(cairn_real y, cairn_real x) { return atan2(y, x); }
 static inline cairn_real cairn_angle_radians(cairn_angle a) { return remainder(a, 2 * CAIRN_PI); }
 static inline cairn_angle cairn_angle_from_radians(cairn_real radians) { return radians; }
+static inline cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole) { return 2 * CAIRN_PI * part / whole; }
 
 static inline cairn_wide cairn_wide_of(double x, int exponent) { return ldexp(fabs(x), exponent); }
 static inline cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b) { return a * b; }
@@ -72,9 +74,12 @@ static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return fabs(x); }
 static inline cairn_wide cairn_wide_from_int(int32_t x) { return x; }
+static inline cairn_wide cairn_wide_from_area(cairn_area a) { return fabs(a); }
+static inline cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b) { return fabs(a + b); }
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return k; }
 static inline cairn_share cairn_wide_to_share(cairn_wide k) { return k; }
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return k; }
+static inline cairn_offset cairn_wide_to_offset(cairn_wide k) { return k; }
 static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return x * k; }
 static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return x * k; }
 static inline cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration) { return x * inverse_gyration; }
@@ -119,6 +124,7 @@ static inline cairn_offset cairn_offset_half(cairn_offset x) { return x / 2; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }
+static inline cairn_area cairn_offset_cross(cairn_offset ax, cairn_offset ay, cairn_offset bx, cairn_offset by) { return ax * by - ay * bx; }
 static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by) { return ax * bx + ay * by; }
 static inline cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b) { return a / b; }
 static inline cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)

@@ -22,6 +22,7 @@ typedef int16_t cairn_lever;
 typedef int16_t cairn_ratio;
 typedef int32_t cairn_share;
 typedef int32_t cairn_factor;
+typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
@@ -169,6 +170,8 @@ cairn_angle cairn_angle_of(cairn_real y, cairn_real x);
 static inline cairn_real cairn_angle_radians(cairn_angle a) { return (cairn_mul32(a, 1686629713, 32) + 2048) >> 12; }
 /* Any number of radians. */
 cairn_angle cairn_angle_from_radians(cairn_real radians);
+/* part / whole of a turn, rounded to nearest; 0 <= part < whole <= 65535. */
+cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole);
 
 /* ---- cairn_wide: positive magnitudes of any size, relative error below 2^-31 an operation ---- */
 
@@ -191,17 +194,34 @@ static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
 static inline cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
+/* |a|, rounded to 32 bits. */
+cairn_wide cairn_wide_from_area(cairn_area a);
+/* |a + b|, rounded to 32 bits; the sum may lie outside of the offsets' range. */
+cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b);
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return cairn_wide_scale(1, k, 16); }
 static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_scale(1, k, 30); }
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }
+static inline cairn_offset cairn_wide_to_offset(cairn_wide k) { return cairn_wide_scale(1, k, 22); }
 static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return cairn_wide_scale(x, k, 12); }
 static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, -12); }
 /* A displacement times the inverse of the radius of gyration: the angle turned; whole turns wrap away. */
 cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration);
-/* An arm over the radius of gyration. */
+/*
+ * An arm over the radius of gyration, within 0.9 units of Q2.13. Called several times a contact, so by 17 bits of
+ * the mantissa (the last one always set), which needs no 64-bit product.
+ */
 static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
 {
-    return (cairn_lever)cairn_clamp(cairn_wide_scale(arm, inverse_gyration, -9), CAIRN_LEVER_MAX);
+    int32_t m = (int32_t)(inverse_gyration.mantissa >> 16);
+    int32_t high = (arm >> 16) * m, low = (int32_t)(((uint32_t)arm & 0xFFFFu) * (uint32_t)m >> 16);
+    int32_t scaled = high + low + (arm >> 17);
+    int shift = -23 - inverse_gyration.exponent; /* from Q22 + 32 to Q13 */
+    if (shift > 0) {
+        scaled = ((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1;
+    } else {
+        scaled = cairn_clamp(scaled, 32767) * (1 << (shift > -15 ? -shift : 15));
+    }
+    return (cairn_lever)cairn_clamp(scaled, CAIRN_LEVER_MAX);
 }
 
 /* ---- coordinates: a cairn_real and its residue make a position in steps of 2^-28 m ---- */
@@ -256,6 +276,11 @@ static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { retu
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy)
 {
     return cairn_dot32(ax, ux, ay, uy, 30);
+}
+/* ax by - ay bx, exact; each product within 500 m by 500 m. */
+static inline cairn_area cairn_offset_cross(cairn_offset ax, cairn_offset ay, cairn_offset bx, cairn_offset by)
+{
+    return (int64_t)ax * by - (int64_t)ay * bx;
 }
 static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by)
 {
@@ -332,7 +357,7 @@ static inline cairn_factor cairn_factor_from_share(cairn_share s) { return (s + 
 /* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin. */
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k)
 {
-    return (cairn_mul32(s, (int32_t)j * k, 32) + 8) >> 4; /* Q30 * Q26 = Q56 -> Q24 -> Q20 */
+    return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
 }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
 /* x x + y y: one, but for rounding */
