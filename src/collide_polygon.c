@@ -6,7 +6,7 @@
 #include "engine.h"
 
 /* The second polygon's face is taken as reference only if it separates by this much more: keeps the choice from flickering. */
-#define FACE_PREFERENCE CAIRN_OFFSET(0.0001)
+#define FACE_PREFERENCE CAIRN_OFFSET(0.0005)
 
 void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull)
 {
@@ -115,7 +115,8 @@ static void clip(const cairn_hull *reference, int edge, const cairn_hull *incide
         result->x = x + cairn_offset_dot(point.along, half, -ny, nx);
         result->y = y + cairn_offset_dot(point.along, half, nx, ny);
         result->separation = point.separation;
-        result->feature = (uint16_t)((swapped ? 512 : 0) | edge << 5 | facing << 1 | i);
+        /* the same end of the same two edges has the same name whichever of them is the reference */
+        result->feature = (uint16_t)(swapped ? facing << 5 | edge << 1 | (1 - i) : edge << 5 | facing << 1 | i);
     }
     out->normal_x = swapped ? -nx : nx;
     out->normal_y = swapped ? -ny : ny;
