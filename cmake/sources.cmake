@@ -11,6 +11,9 @@ set(CAIRN_SOURCES
     src/hash.c
     src/material.c
     src/motion.c
+    src/polygon_init.c
+    src/quadtree.c
+    src/quadtree_walk.c
     src/rows.c
     src/shape_box.c
     src/shape_circle.c
