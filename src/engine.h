@@ -15,6 +15,9 @@
 /* Centres of mass stay within this distance of the origin on each axis, m. */
 #define CAIRN_WORLD_EDGE CAIRN_F(16000)
 
+/* A body standing on two points that is slower than this, m/s, comes to rest: see motion.c. */
+#define CAIRN_REST_SPEED CAIRN_F(0.05)
+
 /* body.flags: the type in the lowest two bits, and: */
 enum {
     CAIRN_BODY_TYPE = 3,
@@ -28,6 +31,8 @@ enum {
     CAIRN_BODY_SPRING = 1 << 10,  /* an end of a spring */
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
     CAIRN_BODY_RESTLESS = 1 << 12, /* heads a group that may not fall asleep yet */
+    CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
+    CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
 };
 

@@ -101,6 +101,46 @@ void cairn_bodies_repeat(cairn_world *world, cairn_motion gx, cairn_motion gy)
     }
 }
 
+/*
+ * Rest. Two rules of the engine, stated openly: (1) a body that stands on two points of one contact, slips nowhere and
+ * is slower than CAIRN_REST_SPEED loses its velocity with a time constant of one second: it ends the slow sway of tall
+ * stacks, which double precision has as well; (2) a body held by contacts whose velocity and displacement are below
+ * what the formats can keep straight (DEAD_SPEED) does not move at all.
+ */
+#define DEAD_SPEED CAIRN_MOTION(6.0e-8)
+
+static void mark_rest(cairn_world *world, const cairn_arbiter *arbiter)
+{
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    bool on_two = arbiter->count > 1 && arbiter->rows[0].impulse > 0 && arbiter->rows[1].impulse > 0;
+    cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0),
+                                             arbiter->kinetic_friction);
+    bool slips = magnitude(arbiter->friction_impulse) >= limit;
+    unsigned marks = CAIRN_BODY_HELD | (slips ? CAIRN_BODY_SLIPPING : on_two ? CAIRN_BODY_STEADY : 0u);
+    a->flags = (uint16_t)(a->flags | marks);
+    b->flags = (uint16_t)(b->flags | marks);
+}
+
+static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
+{
+    return magnitude(x) <= limit && magnitude(y) <= limit && magnitude(w) <= limit;
+}
+
+static void calm(const cairn_world *world, cairn_body *body)
+{
+    if ((body->flags & (CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING)) == CAIRN_BODY_STEADY
+        && is_within(body->vx, body->vy, body->w, world->rest_limit)) {
+        body->vx -= cairn_motion_ratio(body->vx, world->rest_damping);
+        body->vy -= cairn_motion_ratio(body->vy, world->rest_damping);
+        body->w -= cairn_motion_ratio(body->w, world->rest_damping);
+    }
+    if (is_within(body->vx, body->vy, body->w, DEAD_SPEED)
+        && is_within(body->dx, body->dy, body->dw, 2 * DEAD_SPEED * world->substeps)) {
+        body->vx = body->vy = body->w = 0;
+        body->dx = body->dy = body->dw = 0;
+    }
+}
+
 /* Which bodies a contact acted on, and which pairs touched. */
 static void mark_held(cairn_world *world)
 {
@@ -112,8 +152,7 @@ static void mark_held(cairn_world *world)
         world->stats.points = (uint16_t)(world->stats.points + arbiter->count);
         if (arbiter->rows[0].impulse != 0 || (arbiter->count > 1 && arbiter->rows[1].impulse != 0)) {
             arbiter->flags |= CAIRN_ARBITER_TOUCHING;
-            world->bodies[arbiter->a].flags |= CAIRN_BODY_HELD;
-            world->bodies[arbiter->b].flags |= CAIRN_BODY_HELD;
+            mark_rest(world, arbiter);
         }
     }
 }
@@ -155,8 +194,10 @@ void cairn_bodies_finish(cairn_world *world)
         }
         if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_HELD)) {
             straighten(world, body);
+        } else if (cairn_body_is_dynamic(body)) {
+            calm(world, body);
         }
-        body->flags &= (uint16_t)~CAIRN_BODY_HELD;
+        body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING);
         move_coordinate(world, &body->x, &body->x_residue, &body->vx, body->dx);
         move_coordinate(world, &body->y, &body->y_residue, &body->vy, body->dy);
         if (body->dw != 0) {

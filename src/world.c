@@ -11,6 +11,8 @@ static void derive(cairn_world *world)
     cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
     world->gravity_x = cairn_diffused_of(world->gravity.x, squared);
     world->gravity_y = cairn_diffused_of(world->gravity.y, squared);
+    world->rest_limit = cairn_motion_from_real(CAIRN_REST_SPEED, world->substep);
+    world->rest_damping = cairn_ratio_from_wide(cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_real(world->rate)));
     world->push_out_limit = cairn_motion_from_real(world->push_out, world->substep);
     /*
      * Within the biased pass a body holds v + beta d with d up to n v; that must stay below CAIRN_SWEEP_SPEED, and d

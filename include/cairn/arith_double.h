@@ -163,6 +163,7 @@ static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { re
 
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return x; }
+static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return k; }
 static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return x; }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return x; }
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return ldexp(x, -n); }

@@ -330,6 +330,7 @@ static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { re
 /* x * k */
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
+static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return (cairn_ratio)cairn_clamp(cairn_wide_scale(1, k, 14), INT16_MAX); }
 static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return cairn_wide_of(x, -14); }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
 /* x / 2^n, 0 <= n <= 30 */

@@ -73,6 +73,8 @@ typedef struct cairn_world {
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */
     cairn_motion push_out_limit;               /* the same in metres per sub-step */
     cairn_motion speed_limit, spin_limit;      /* metres per sub-step */
+    cairn_motion rest_limit;                   /* slower bodies may be calmed, see motion.c */
+    cairn_ratio rest_damping;                  /* by this share a step */
 
     cairn_world_stats stats;
 } cairn_world;
