@@ -223,7 +223,7 @@ def _writable(file: Path | str) -> Path:
 def _working(what: str) -> Iterator[Any]:
     """A spinner on stderr while something runs; gives a function that changes its text."""
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    with Progress(*columns, console=err, transient=True) as progress:
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
         task = progress.add_task(what)
         yield lambda text: progress.update(task, description=text)
 

@@ -68,9 +68,7 @@ def fit(scene: Scene, poses: NDArray[np.float64]) -> View:
     moving = np.array([not b.static for b in scene.bodies])
     if not moving.any():
         moving[:] = True
-    # What is flung far away (one in fifty positions) may leave the picture; the start may not.
-    x0, y0 = np.minimum(np.quantile(low[:, moving].reshape(-1, 2), 0.02, axis=0), low[0, moving].min(axis=0))
-    x1, y1 = np.maximum(np.quantile(high[:, moving].reshape(-1, 2), 0.98, axis=0), high[0, moving].max(axis=0))
+    x0, y0, x1, y1 = _bounds(low[:, moving], high[:, moving])
     margin = 0.06 * max(x1 - x0, y1 - y0)
     for i in np.flatnonzero(~moving):
         size = 2 * reach[0, i, 0]
@@ -91,6 +89,16 @@ def fit(scene: Scene, poses: NDArray[np.float64]) -> View:
         x0, x1 = x0 - lacking_width / 2, x1 + lacking_width / 2
     scale = WIDTH / (x1 - x0)
     return View(float(x0), float(y1), float(scale), round((y1 - y0) * scale))
+
+
+def _bounds(low: NDArray[np.float64], high: NDArray[np.float64]) -> tuple[float, float, float, float]:
+    """The box around all positions; without the farthest one in fifty where those would make all else tiny."""
+    all_low, all_high = low.min(axis=(0, 1)), high.max(axis=(0, 1))
+    most_low = np.minimum(np.quantile(low.reshape(-1, 2), 0.02, axis=0), low[0].min(axis=0))
+    most_high = np.maximum(np.quantile(high.reshape(-1, 2), 0.98, axis=0), high[0].max(axis=0))
+    flung = max(all_high - all_low) > 4 * max(most_high - most_low)
+    (x0, y0), (x1, y1) = (most_low, most_high) if flung else (all_low, all_high)
+    return float(x0), float(y0), float(x1), float(y1)
 
 
 def svg(scene: Scene, poses: NDArray[np.float64], contacts: NDArray[np.float64] | None = None, ghosts: int = 3) -> str:

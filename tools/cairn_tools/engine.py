@@ -20,6 +20,8 @@ from .scene import Scene
 from .trajectory import Trajectory
 
 ROOT = Path(__file__).parents[2]
+# Folders of its own: a developer's build, or tools/test, may be at work in build/<preset> at the same time.
+BUILDS = ROOT / "build" / "tools"
 ARITHMETICS = {"q16": "host", "f64": "host-double"}  # and the CMake preset of each on the host
 
 
@@ -99,12 +101,12 @@ def build_image(scene: Scene, target: str, image: Path) -> None:
     emulated = CORES[target]
     text = table(scene, "cairn_the_scene")
     _configure(emulated.preset)
-    place = ROOT / "build" / emulated.preset / "tools" / "runner"
+    place = BUILDS / emulated.preset / "tools" / "runner"
     with _lock(emulated.preset):
         source = place / emulated.board / "table.c"
         source.parent.mkdir(parents=True, exist_ok=True)
         source.write_text(text, encoding="utf-8")
-        log = _cmake("--build", f"build/{emulated.preset}", "--target", f"runner-{emulated.board}")
+        log = _cmake("--build", str(BUILDS / emulated.preset), "--target", f"runner-{emulated.board}")
         if log and "overflowed by" in log:
             raise UserError(f"{scene.path}: does not fit into the memory of {emulated.board}")
         _check_build(log)
@@ -119,14 +121,14 @@ def host_program(preset: str, name: str) -> Path:
     """A program of the host's, built where it is not up to date."""
     _configure(preset)
     with _lock(preset):
-        _check_build(_cmake("--build", f"build/{preset}", "--target", name))
-    return ROOT / "build" / preset / "tools" / "runner" / name
+        _check_build(_cmake("--build", str(BUILDS / preset), "--target", name))
+    return BUILDS / preset / "tools" / "runner" / name
 
 
 def _configure(preset: str) -> None:
     with _lock(preset):
-        if not (ROOT / "build" / preset / "build.ninja").is_file():
-            _check_build(_cmake("--preset", preset))
+        if not (BUILDS / preset / "build.ninja").is_file():
+            _check_build(_cmake("--preset", preset, "-B", str(BUILDS / preset), "-DCAIRN_BUILD_TESTS=OFF"))
 
 
 def _cmake(*arguments: str) -> str | None:
@@ -138,18 +140,18 @@ def _cmake(*arguments: str) -> str | None:
 def _check_build(log: str | None) -> None:
     if log is None:
         return
-    file = ROOT / "build" / "cairn-build.log"
-    file.parent.mkdir(exist_ok=True)
+    file = BUILDS / "build.log"
     file.write_text(log, encoding="utf-8")
-    first = next((line for line in log.splitlines() if "error" in line.lower()), "cmake failed")
+    signs = ("error:", "CMake Error", "undefined reference")
+    first = next((line for line in log.splitlines() if any(sign in line for sign in signs)), "cmake failed")
     raise EngineError(f"the engine does not build: {first.strip()} (all of it in {file})")
 
 
 @contextmanager
 def _lock(preset: str) -> Iterator[None]:
     """Keeps two commands from building in one folder at a time."""
-    file = ROOT / "build" / f"{preset}.lock"
-    file.parent.mkdir(exist_ok=True)
+    BUILDS.mkdir(parents=True, exist_ok=True)
+    file = BUILDS / f"{preset}.lock"
     with file.open("w", encoding="utf-8") as handle:
         fcntl.flock(handle, fcntl.LOCK_EX)
         yield
