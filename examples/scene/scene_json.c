@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { PLACE_SIZE = 128, ENTRIES_MAX = 4096, PRESETS = 4 };
+enum { PLACE_SIZE = 128, ENTRIES_MAX = 4096, NAME_LENGTH = 63, PRESETS = 4 };
 
 struct cairn_scene_file {
     cairn_scene table;
@@ -535,6 +535,20 @@ static void read_springs(reader *r)
 
 /* ---- the whole ---- */
 
+/* 1 to NAME_LENGTH letters, digits or _ . - : fit for a file name, and for a comment in C. */
+static bool is_name(const char *name)
+{
+    size_t length = 0;
+    for (; name[length] != '\0'; length++) {
+        const char c = name[length];
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        if (!letter && !(c >= '0' && c <= '9') && c != '_' && c != '.' && c != '-') {
+            return false;
+        }
+    }
+    return length > 0 && length <= NAME_LENGTH;
+}
+
 static void read_settings(reader *r)
 {
     static const char *const known[] = {"cairn_scene", "name", "gravity", "steps_per_second", "substeps", "solver", "passes",
@@ -547,6 +561,10 @@ static void read_settings(reader *r)
     const char *name = text(r, r->root, "", "name");
     if (name == NULL) {
         fail(r, "", "name", "missing");
+        return;
+    }
+    if (!is_name(name)) {
+        fail(r, "", "name", "must be 1 to 63 letters, digits or _ . -");
         return;
     }
     r->file->name = room(r, strlen(name), 1);

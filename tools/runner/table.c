@@ -168,13 +168,12 @@ static void memory(const cairn_scene *scene, const char *name)
            scene->spring_count > 0 ? "&world_springs" : "NULL", tree ? "&world_quadtree" : "NULL");
 }
 
-/* Letters, digits and _ only: the scene's own name may hold anything, and ends up in a comment and a string. */
-static bool is_plain(const char *name, const char *also)
+/* Whether a text can be the name of a C constant here: letters, digits and _, the first no digit. */
+static bool is_identifier(const char *name)
 {
     for (const char *p = name; *p != '\0'; p++) {
         const bool letter = (*p >= 'a' && *p <= 'z') || (*p >= 'A' && *p <= 'Z') || *p == '_';
-        const bool digit = *p >= '0' && *p <= '9';
-        if (!letter && !digit && strchr(also, *p) == NULL) {
+        if (!letter && !(*p >= '0' && *p <= '9' && p != name)) {
             return false;
         }
     }
@@ -183,7 +182,7 @@ static bool is_plain(const char *name, const char *also)
 
 int main(int count, char **words)
 {
-    if (count != 3 || !is_plain(words[2], "")) {
+    if (count != 3 || !is_identifier(words[2])) {
         fprintf(stderr, "usage: %s SCENE.json|- NAME\n", words[0]);
         return BAD_CALL;
     }
@@ -192,11 +191,6 @@ int main(int count, char **words)
         return BAD_CALL;
     }
     const cairn_scene *scene = cairn_scene_file_table(file);
-    if (!is_plain(scene->name, ".-")) {
-        fprintf(stderr, "%s: name: must be letters, digits or _ . -\n", words[1]);
-        cairn_scene_file_free(file);
-        return BAD_CALL;
-    }
     printf("/* The scene %s. Written by `tools/cairn table`; change the JSON file instead. */\n#include \"scene.h\"\n\n", scene->name);
     materials(scene);
     shapes(scene);
