@@ -52,14 +52,17 @@ def measure(scene: str) -> dict[str, Any]:
 def show(rows: list[dict[str, Any]], out: Console) -> None:
     """The table for people."""
     table = Table(title=f"Cairn: {STEPS} steps of each scene")
-    for name in ("scene", "steps", "contacts", "instructions/step M0", "M3", "q16 to f64, m", "same bits"):
+    for name in ("scene", "steps", "contacts", "M0", "M3", "q16 to f64, m", "bits"):
         table.add_column(name, justify="left" if name == "scene" else "right")
     for row in rows:
         numbers = (f"{row['m0']:,.0f}", f"{row['m3']:,.0f}", f"{row['distance']:.1e}")
-        bits = "host = M0 = M3" if row["equal"] else "[red]DIFFER[/red]"
+        bits = "equal" if row["equal"] else "[red]DIFFER[/red]"
         table.add_row(row["scene"], str(STEPS), str(row["contacts"]), *numbers, bits)
     out.print(table)
-    out.print(f"Contacts: points at the end. Largest distance over all steps. Pictures: {PICTURES.relative_to(ROOT)}/")
+    out.print("contacts: points at the last step. M0, M3: mean instructions a step.")
+    out.print("q16 to f64: the largest distance between fixed point and double, on the host.")
+    out.print("bits: whether the host, the M0 and the M3 end in the same state to the bit.")
+    out.print(f"Pictures: {PICTURES.relative_to(ROOT)}/")
 
 
 def main() -> int:
