@@ -44,6 +44,7 @@ enum {
     CAIRN_ARBITER_TOUCHED = 1 << 3,  /* touching in the step before */
     CAIRN_ARBITER_BOUNCY = 1 << 4,
     CAIRN_ARBITER_SOLVED = 1 << 6,   /* pushes in this step */
+    CAIRN_ARBITER_ON_STATIC = 1 << 7, /* a is static, and b free to move: the quick path */
     CAIRN_ARBITER_PIVOT = 1 << 5     /* a body of fixed position takes part: its linear share is not its angular one */
 };
 

@@ -10,10 +10,11 @@
 #include "engine.h"
 #include <cairn/spring.h>
 
-/* The velocity of b relative to a along a row, the linear part along the normal given. */
-static cairn_motion row_velocity(cairn_motion linear, cairn_motion spin_a, cairn_motion spin_b, cairn_lever ja, cairn_lever jb)
+/* ---- one row ---- */
+
+static cairn_motion pressed(cairn_motion impulse)
 {
-    return linear + cairn_motion_lever(spin_b, jb) - cairn_motion_lever(spin_a, ja);
+    return impulse < 0 ? 0 : impulse > CAIRN_IMPULSE_MAX ? CAIRN_IMPULSE_MAX : impulse;
 }
 
 /* How far the points of a row have come apart in this step. */
@@ -21,167 +22,246 @@ static cairn_motion row_displacement(const cairn_body *a, const cairn_body *b, c
 {
     cairn_offset x = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx);
     cairn_offset y = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy);
-    cairn_offset spin_a = cairn_offset_from_motion(a->dw), spin_b = cairn_offset_from_motion(b->dw);
-    return cairn_motion_from_offset(row_velocity(cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y), spin_a, spin_b,
-                                                 row->lever_a, row->lever_b));
+    return cairn_motion_from_offset(cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y)
+                                    + cairn_motion_lever(cairn_offset_from_motion(b->dw), row->lever_b)
+                                    - cairn_motion_lever(cairn_offset_from_motion(a->dw), row->lever_a));
 }
 
-/* What a pass makes of the two bodies of an arbiter: they are loaded once and stored once. */
-typedef struct pair_state {
-    cairn_body *a, *b;
-    cairn_motion normal;         /* linear relative velocity along the normal */
-    cairn_motion spin_a, spin_b;
-    cairn_motion push, rub;      /* impulses given in this pass along normal and tangent */
-} pair_state;
-
-static pair_state load(const cairn_world *world, const cairn_arbiter *arbiter)
+/* The new impulse of a point that was apart when the step began (u leans by beta d): it may close the gap and no more. */
+static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    pair_state pair;
-    pair.a = &world->bodies[arbiter->a];
-    pair.b = &world->bodies[arbiter->b];
-    pair.normal = cairn_motion_along(pair.b->vx - pair.a->vx, pair.b->vy - pair.a->vy, arbiter->normal_x, arbiter->normal_y);
-    pair.spin_a = pair.a->w;
-    pair.spin_b = pair.b->w;
-    pair.push = 0;
-    pair.rub = 0;
-    return pair;
-}
-
-/* What an impulse does to the spins. */
-static void turn(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion impulse, cairn_lever ja, cairn_lever jb)
-{
-    if (arbiter->share_a != 0) {
-        pair->spin_a = cairn_motion_clamp(
-            pair->spin_a - cairn_motion_lever(cairn_motion_share(impulse, arbiter->share_a), ja), CAIRN_SWEEP_SPIN);
+    cairn_motion moved = row_displacement(a, b, arbiter, row), lean = cairn_motion_ratio(moved, CAIRN_SOFT_BETA);
+    cairn_motion separation = cairn_motion_add(row->gap, moved);
+    if ((arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0 && u > lean) {
+        return 0; /* it left with its restitution in this step: the impact phase has placed it */
     }
-    pair->spin_b = cairn_motion_clamp(
-        pair->spin_b + cairn_motion_lever(cairn_motion_share(impulse, arbiter->share_b), jb), CAIRN_SWEEP_SPIN);
+    if (separation > 0) {
+        return pressed(row->impulse - cairn_motion_ratio(cairn_motion_add(u, separation - lean), row->mass));
+    }
+    return pressed(row->impulse - cairn_motion_ratio(u + cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA), row->soft_mass)
+                   - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
 }
 
-/* What an impulse along the normal does to the relative velocity. */
-static void approach(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion impulse)
+static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    if (arbiter->flags & CAIRN_ARBITER_PIVOT) {
-        if (!(pair->a->flags & CAIRN_BODY_FIXED_POSITION)) {
-            pair->normal += cairn_motion_share(impulse, arbiter->share_a);
+    cairn_motion separation = cairn_motion_add(row->gap, row_displacement(a, b, arbiter, row));
+    if (separation > 0) {
+        if ((arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0) {
+            return 0;
         }
-        if (!(pair->b->flags & CAIRN_BODY_FIXED_POSITION)) {
-            pair->normal += cairn_motion_share(impulse, arbiter->share_b);
-        }
-    } else {
-        pair->normal += impulse;
+        u = cairn_motion_add(u, separation);
     }
+    return pressed(row->impulse - cairn_motion_ratio(u, row->mass));
 }
 
-static void shift(cairn_body *body, const cairn_arbiter *arbiter, cairn_motion push, cairn_motion rub)
+/* The new impulse of a row in the biased pass: soft, and pushing out. */
+static inline cairn_motion biased(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
-        body->vx = cairn_motion_clamp(body->vx + cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
-        body->vy = cairn_motion_clamp(body->vy + cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
+    if (row->gap > 0) {
+        return biased_apart(a, b, arbiter, row, u);
     }
+    return pressed(row->impulse - cairn_motion_ratio(u + row->gap, row->soft_mass) - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
 }
 
-static void store(const pair_state *pair, const cairn_arbiter *arbiter)
+/* The same in the relax pass: rigid, and without any push. */
+static inline cairn_motion relaxed(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    if (arbiter->share_a != 0) {
-        pair->a->w = pair->spin_a;
-        shift(pair->a, arbiter, -cairn_motion_share(pair->push, arbiter->share_a), -cairn_motion_share(pair->rub, arbiter->share_a));
+    if (row->gap > 0) {
+        return relaxed_apart(a, b, arbiter, row, u);
     }
-    pair->b->w = pair->spin_b;
-    shift(pair->b, arbiter, cairn_motion_share(pair->push, arbiter->share_b), cairn_motion_share(pair->rub, arbiter->share_b));
-}
-
-/* Replace a row's accumulated impulse, kept between zero and the limit, and apply the difference. */
-static void push(pair_state *pair, const cairn_arbiter *arbiter, cairn_row *row, cairn_motion impulse)
-{
-    impulse = impulse < 0 ? 0 : impulse > CAIRN_IMPULSE_MAX ? CAIRN_IMPULSE_MAX : impulse;
-    cairn_motion change = impulse - row->impulse;
-    row->impulse = impulse;
-    pair->push += change;
-    approach(pair, arbiter, change);
-    turn(pair, arbiter, change, row->lever_a, row->lever_b);
-}
-
-static void warm_start(const cairn_world *world, cairn_arbiter *arbiter)
-{
-    pair_state pair = load(world, arbiter);
-    for (int i = 0; i < arbiter->count; i++) {
-        pair.push += arbiter->rows[i].impulse;
-        turn(&pair, arbiter, arbiter->rows[i].impulse, arbiter->rows[i].lever_a, arbiter->rows[i].lever_b);
-    }
-    pair.rub = arbiter->friction_impulse;
-    turn(&pair, arbiter, pair.rub, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    store(&pair, arbiter);
-}
-
-/* A point that left with its restitution in this step: the impact phase has placed it, nothing is to be added. */
-static bool is_rebounding(const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion velocity)
-{
-    return (arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0 && velocity > 0;
-}
-
-static void biased_pass(const cairn_world *world, cairn_arbiter *arbiter)
-{
-    pair_state pair = load(world, arbiter);
-    for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
-        cairn_motion u = row_velocity(pair.normal, pair.spin_a, pair.spin_b, row->lever_a, row->lever_b);
-        if (row->gap > 0) {
-            cairn_motion moved = row_displacement(pair.a, pair.b, arbiter, row);
-            cairn_motion separation = cairn_motion_add(row->gap, moved);
-            if (is_rebounding(arbiter, row, u - cairn_motion_ratio(moved, CAIRN_SOFT_BETA))) {
-                continue;
-            }
-            if (separation > 0) { /* may close the gap and no more */
-                u = cairn_motion_add(u, separation - cairn_motion_ratio(moved, CAIRN_SOFT_BETA));
-                push(&pair, arbiter, row, row->impulse - cairn_motion_ratio(u, row->mass));
-                continue;
-            }
-            u += cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA);
-        } else {
-            u += row->gap;
-        }
-        push(&pair, arbiter, row,
-             row->impulse - cairn_motion_ratio(u, row->soft_mass) - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
-    }
-    store(&pair, arbiter);
+    return pressed(row->impulse - cairn_motion_ratio(u, row->mass));
 }
 
 /* Coulomb: stick while the whole impulse fits the static cone, else slide at the kinetic one. */
-static void rub(pair_state *pair, cairn_arbiter *arbiter, cairn_motion linear)
+static inline cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u)
 {
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
-    cairn_motion u = row_velocity(linear, pair->spin_a, pair->spin_b, arbiter->friction_lever_a, arbiter->friction_lever_b);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
     }
-    impulse = cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX);
-    cairn_motion change = impulse - arbiter->friction_impulse;
+    return cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX);
+}
+
+/* ---- one body ---- */
+
+static inline cairn_motion turned(cairn_motion w, cairn_motion impulse, cairn_lever j)
+{
+    return cairn_motion_clamp(w + cairn_motion_lever(impulse, j), CAIRN_SWEEP_SPIN);
+}
+
+static inline void shift(cairn_body *body, const cairn_arbiter *arbiter, cairn_motion push, cairn_motion rub)
+{
+    body->vx = cairn_motion_clamp(body->vx + cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
+    body->vy = cairn_motion_clamp(body->vy + cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
+}
+
+static inline void push(cairn_body *body, const cairn_arbiter *arbiter, cairn_motion push)
+{
+    body->vx = cairn_motion_clamp(body->vx + cairn_motion_dir(push, arbiter->normal_x), CAIRN_SWEEP_SPEED);
+    body->vy = cairn_motion_clamp(body->vy + cairn_motion_dir(push, arbiter->normal_y), CAIRN_SWEEP_SPEED);
+}
+
+/* ---- passes over a body on something static: all of the change is its own ---- */
+
+static void biased_on_static(const cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+{
+    cairn_motion linear = cairn_motion_along(b->vx, b->vy, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion w = b->w, sum = 0;
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        cairn_motion impulse = biased(a, b, arbiter, row, linear + cairn_motion_lever(w, row->lever_b));
+        cairn_motion change = impulse - row->impulse;
+        row->impulse = impulse;
+        linear += change;
+        w = turned(w, change, row->lever_b);
+        sum += change;
+    }
+    b->w = w;
+    push(b, arbiter, sum);
+}
+
+static void relax_on_static(const cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+{
+    cairn_motion linear = cairn_motion_along(b->vx, b->vy, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion across = cairn_motion_along(b->vy, -b->vx, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion w = b->w, sum = 0;
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        cairn_motion impulse = relaxed(a, b, arbiter, row, linear + cairn_motion_lever(w, row->lever_b));
+        cairn_motion change = impulse - row->impulse;
+        row->impulse = impulse;
+        linear += change;
+        w = turned(w, change, row->lever_b);
+        sum += change;
+    }
+    cairn_motion impulse = rubbed(arbiter, across + cairn_motion_lever(w, arbiter->friction_lever_b));
+    cairn_motion rub = impulse - arbiter->friction_impulse;
     arbiter->friction_impulse = impulse;
-    pair->rub = change;
-    turn(pair, arbiter, change, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    b->w = turned(w, rub, arbiter->friction_lever_b);
+    shift(b, arbiter, sum, rub);
+}
+
+/* ---- passes over a pair that moves ---- */
+
+/* What a pass makes of a pair: spins at once, linear velocities at the end. */
+typedef struct pair_state {
+    cairn_motion linear; /* relative velocity along the normal */
+    cairn_motion spin_a, spin_b;
+    cairn_motion push_a, push_b; /* the bodies' shares of the impulses so far */
+} pair_state;
+
+static inline pair_state load(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+{
+    pair_state pair;
+    pair.linear = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, arbiter->normal_x, arbiter->normal_y);
+    pair.spin_a = a->w;
+    pair.spin_b = b->w;
+    pair.push_a = 0;
+    pair.push_b = 0;
+    return pair;
+}
+
+static inline cairn_motion row_velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb)
+{
+    return linear + cairn_motion_lever(pair->spin_b, jb) - cairn_motion_lever(pair->spin_a, ja);
+}
+
+/* Give a row an impulse; a body of fixed position takes only its turning part. */
+static inline void press(pair_state *pair, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, cairn_row *row, cairn_motion impulse)
+{
+    cairn_motion change = impulse - row->impulse;
+    cairn_motion of_a = cairn_motion_share(change, arbiter->share_a), of_b = cairn_motion_share(change, arbiter->share_b);
+    row->impulse = impulse;
+    pair->spin_a = turned(pair->spin_a, -of_a, row->lever_a);
+    pair->spin_b = turned(pair->spin_b, of_b, row->lever_b);
+    if (arbiter->flags & CAIRN_ARBITER_PIVOT) {
+        of_a = a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_a;
+        of_b = b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_b;
+        pair->linear += of_a + of_b;
+    } else {
+        pair->linear += change;
+    }
+    pair->push_a += of_a;
+    pair->push_b += of_b;
+}
+
+static void biased_pair(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+{
+    pair_state pair = load(a, b, arbiter);
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        press(&pair, a, b, arbiter, row, biased(a, b, arbiter, row, row_velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
+    }
+    a->w = pair.spin_a;
+    b->w = pair.spin_b;
+    push(a, arbiter, -pair.push_a);
+    push(b, arbiter, pair.push_b);
+}
+
+/* Give the friction row an impulse and store the pair. */
+static inline void finish_pair(pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion rub)
+{
+    cairn_motion of_a = cairn_motion_share(rub, arbiter->share_a), of_b = cairn_motion_share(rub, arbiter->share_b);
+    a->w = turned(pair->spin_a, -of_a, arbiter->friction_lever_a);
+    b->w = turned(pair->spin_b, of_b, arbiter->friction_lever_b);
+    if (!(a->flags & CAIRN_BODY_FIXED_POSITION)) {
+        shift(a, arbiter, -pair->push_a, -of_a);
+    }
+    if (!(b->flags & CAIRN_BODY_FIXED_POSITION)) {
+        shift(b, arbiter, pair->push_b, of_b);
+    }
+}
+
+static void relax_pair(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+{
+    pair_state pair = load(a, b, arbiter);
+    cairn_motion across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        press(&pair, a, b, arbiter, row, relaxed(a, b, arbiter, row, row_velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
+    }
+    cairn_motion impulse = rubbed(arbiter, row_velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b));
+    cairn_motion rub = impulse - arbiter->friction_impulse;
+    arbiter->friction_impulse = impulse;
+    finish_pair(&pair, a, b, arbiter, rub);
+}
+
+/* ---- passes over the world ---- */
+
+/* Apply the impulses of the step before. */
+static void warm_start(const cairn_world *world, cairn_arbiter *arbiter)
+{
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    pair_state pair = load(a, b, arbiter);
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_row *row = &arbiter->rows[i];
+        cairn_motion impulse = row->impulse;
+        row->impulse = 0;
+        press(&pair, a, b, arbiter, row, impulse);
+    }
+    finish_pair(&pair, a, b, arbiter, arbiter->friction_impulse);
+}
+
+static void biased_pass(const cairn_world *world, cairn_arbiter *arbiter)
+{
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    if (arbiter->flags & CAIRN_ARBITER_ON_STATIC) {
+        biased_on_static(a, b, arbiter);
+    } else {
+        biased_pair(a, b, arbiter);
+    }
 }
 
 static void relax_pass(const cairn_world *world, cairn_arbiter *arbiter)
 {
-    pair_state pair = load(world, arbiter);
-    cairn_motion tangent = cairn_motion_along(pair.b->vy - pair.a->vy, pair.a->vx - pair.b->vx, arbiter->normal_x, arbiter->normal_y);
-    for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
-        cairn_motion u = row_velocity(pair.normal, pair.spin_a, pair.spin_b, row->lever_a, row->lever_b);
-        if (row->gap > 0) {
-            cairn_motion separation = cairn_motion_add(row->gap, row_displacement(pair.a, pair.b, arbiter, row));
-            if (separation > 0 && (arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0) {
-                continue;
-            }
-            u = separation > 0 ? cairn_motion_add(u, separation) : u;
-        }
-        push(&pair, arbiter, row, row->impulse - cairn_motion_ratio(u, row->mass));
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    if (arbiter->flags & CAIRN_ARBITER_ON_STATIC) {
+        relax_on_static(a, b, arbiter);
+    } else {
+        relax_pair(a, b, arbiter);
     }
-    rub(&pair, arbiter, tangent);
-    store(&pair, arbiter);
 }
 
 static void for_each_solved(cairn_world *world, void (*pass)(const cairn_world *world, cairn_arbiter *arbiter))
