@@ -5,6 +5,7 @@ set(CAIRN_SOURCES
     src/body.c
     src/bounce.c
     src/broad_pairs.c
+    src/collide_box.c
     src/collide_circle_polygon.c
     src/collide_polygon.c
     src/contact.c
@@ -23,4 +24,6 @@ set(CAIRN_SOURCES
     src/solver_soft.c
     src/spring.c
     src/world.c
+    src/debug_draw.c
+    src/query.c
 )

@@ -5,9 +5,6 @@
  */
 #include "engine.h"
 
-/* The second polygon's face is taken as reference only if it separates by this much more: keeps the choice from flickering. */
-#define FACE_PREFERENCE CAIRN_OFFSET(0.0005)
-
 void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull)
 {
     pose->shape->kind->outline(pose->shape, pose->c, pose->s, hull);
@@ -115,8 +112,7 @@ static void clip(const cairn_hull *reference, int edge, const cairn_hull *incide
         result->x = x + cairn_offset_dot(point.along, half, -ny, nx);
         result->y = y + cairn_offset_dot(point.along, half, nx, ny);
         result->separation = point.separation;
-        /* the same end of the same two edges has the same name whichever of them is the reference */
-        result->feature = (uint16_t)(swapped ? facing << 5 | edge << 1 | (1 - i) : edge << 5 | facing << 1 | i);
+        result->feature = cairn_feature(edge, facing, i, swapped);
     }
     out->normal_x = swapped ? -nx : nx;
     out->normal_y = swapped ? -ny : ny;
@@ -137,7 +133,7 @@ void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offs
     if (from_b > margin) {
         return;
     }
-    if (from_b > from_a + FACE_PREFERENCE) {
+    if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
         clip(&hull_b, edge_b, &hull_a, true, margin, out);
     } else {
         clip(&hull_a, edge_a, &hull_b, false, margin, out);

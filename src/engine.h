@@ -86,8 +86,7 @@ void cairn_bodies_finish(cairn_world *world);
 extern const cairn_broad_class cairn_broad_pairs;
 static inline bool cairn_boxes_overlap(const cairn_body *a, const cairn_body *b)
 {
-    cairn_real x = a->x - b->x, y = a->y - b->y, reach_x = a->extent_x + b->extent_x, reach_y = a->extent_y + b->extent_y;
-    return x <= reach_x && -x <= reach_x && y <= reach_y && -y <= reach_y;
+    return cairn_real_is_within(a->x - b->x, a->extent_x + b->extent_x) && cairn_real_is_within(a->y - b->y, a->extent_y + b->extent_y);
 }
 
 /* ---- narrow phase ---- */
@@ -121,8 +120,21 @@ typedef struct cairn_manifold {
     cairn_manifold_point points[2];
 } cairn_manifold;
 
+/* The second body's face is taken as reference only if it separates by this much more: keeps the choice from flickering. */
+#define CAIRN_FACE_PREFERENCE CAIRN_OFFSET(0.0005)
+
+/*
+ * The name of a clipped point: the reference edge, the incident edge and which end of it. The same end of the same
+ * two edges has the same name whichever of them is the reference.
+ */
+static inline uint16_t cairn_feature(int reference, int incident, int end, bool swapped)
+{
+    return (uint16_t)(swapped ? incident << 5 | reference << 1 | (1 - end) : reference << 5 | incident << 1 | end);
+}
+
 void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 /* The outline of a pose, in place. */
 void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull);

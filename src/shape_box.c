@@ -57,5 +57,5 @@ static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, measure, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons }
+    1, check, measure, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
 };

@@ -43,4 +43,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     out->count = 1;
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, measure, extents, NULL, { cairn_collide_circles, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, measure, extents, NULL, { cairn_collide_circles, NULL, NULL } };

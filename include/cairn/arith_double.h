@@ -43,6 +43,7 @@ static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return a -
 static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return a * b; }
 static inline cairn_real cairn_real_from_int(int32_t x) { return x; }
 static inline int32_t cairn_real_floor(cairn_real x) { return (int32_t)floor(x); }
+static inline bool cairn_real_is_within(cairn_real x, cairn_real limit) { return x <= limit && -x <= limit; }
 static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
 static inline cairn_real cairn_real_divide(cairn_real a, cairn_real b)
 {

@@ -140,7 +140,8 @@ static inline int32_t cairn_add_clamped(int32_t a, int32_t b)
 /* x into [-limit, limit]. */
 static inline int32_t cairn_clamp(int32_t x, int32_t limit)
 {
-    return x > limit ? limit : x < -limit ? -limit : x;
+    if ((uint32_t)x + (uint32_t)limit > 2u * (uint32_t)limit) { return x > 0 ? limit : -limit; }
+    return x;
 }
 
 /* ---- cairn_real: Q16.16, saturating ---- */
@@ -150,6 +151,8 @@ static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return cai
 static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return cairn_clamp64(((int64_t)a * b + 32768) >> 16); }
 static inline cairn_real cairn_real_from_int(int32_t x) { return cairn_clamp64((int64_t)x * 65536); }
 static inline int32_t cairn_real_floor(cairn_real x) { return x >> 16; }
+/* -limit <= x <= limit; limit >= 0 */
+static inline bool cairn_real_is_within(cairn_real x, cairn_real limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
 static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
 
 /* a / b rounded to nearest, halves away from zero; saturates, also for b = 0 (with the sign of a; 0 / 0 is 0). */
@@ -207,19 +210,19 @@ static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { 
 /* A displacement times the inverse of the radius of gyration: the angle turned; whole turns wrap away. */
 cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration);
 /*
- * An arm over the radius of gyration, within 0.9 units of Q2.13. Called several times a contact, so by 17 bits of
- * the mantissa (the last one always set), which needs no 64-bit product.
+ * An arm over the radius of gyration, within a unit of Q2.13 (1.2 units for radii from 8 to 16 mm). Called several times a
+ * contact, so by 17 bits of the mantissa, the last one always set, which needs no 64-bit product.
  */
 static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
 {
     int32_t m = (int32_t)(inverse_gyration.mantissa >> 16);
     int32_t high = (arm >> 16) * m, low = (int32_t)(((uint32_t)arm & 0xFFFFu) * (uint32_t)m >> 16);
-    int32_t scaled = high + low + (arm >> 17);
-    int shift = -23 - inverse_gyration.exponent; /* from Q22 + 32 to Q13 */
-    if (shift > 0) {
+    int32_t scaled = high + low + (arm >> 17) + 1; /* + 1: two of the terms are rounded down */
+    int shift = -23 - inverse_gyration.exponent;   /* from Q22 + 32 to Q13 */
+    if (shift > 1) {
         scaled = ((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1;
-    } else {
-        scaled = cairn_clamp(scaled, 32767) * (1 << (shift > -15 ? -shift : 15));
+    } else { /* radii below 8 mm */
+        scaled = cairn_wide_scale(arm, inverse_gyration, -9);
     }
     return (cairn_lever)cairn_clamp(scaled, CAIRN_LEVER_MAX);
 }
@@ -307,7 +310,10 @@ static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, ca
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return cairn_mul16(a, d, 14); }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return cairn_mul16(a, j, 13); }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
-static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return cairn_mul32(a, s, 30); }
+static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
+{
+    return s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
+}
 /* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {

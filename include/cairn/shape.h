@@ -40,7 +40,7 @@ typedef struct cairn_shape_class {
     /* The outline about the centre of mass, rotated by (c, s); null for circles. */
     void (*outline)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, struct cairn_hull *hull);
     /* The contact of a (of lower or equal rank) with b, the pose of b relative to a; by the rank of a. */
-    void (*collide[2])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
+    void (*collide[3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
 } cairn_shape_class;
 
 extern const cairn_shape_class cairn_circle_class;
