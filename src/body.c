@@ -201,9 +201,9 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_def *def)
         return cairn_body_id_null();
     }
     bool dynamic = def->type == CAIRN_DYNAMIC;
-    body->flags = (uint16_t)((unsigned)def->type | CAIRN_BODY_USED | (def->sensor ? CAIRN_BODY_SENSOR : 0u)
-                             | (dynamic && def->fixed_rotation ? CAIRN_BODY_FIXED_ROTATION : 0u)
-                             | (dynamic && def->fixed_position ? CAIRN_BODY_FIXED_POSITION : 0u));
+    body->flags = (uint16_t)((unsigned)def->type | CAIRN_BODY_USED | cairn_flag_if(def->sensor, CAIRN_BODY_SENSOR)
+                             | cairn_flag_if(dynamic && def->fixed_rotation, CAIRN_BODY_FIXED_ROTATION)
+                             | cairn_flag_if(dynamic && def->fixed_position, CAIRN_BODY_FIXED_POSITION));
     body->shape = def->shape;
     body->material = def->material;
     body->user = def->user;

@@ -48,6 +48,9 @@ enum {
     CAIRN_ARBITER_PIVOT = 1 << 5     /* a body of fixed position takes part: its linear share is not its angular one */
 };
 
+/* The flag if it is to be set. */
+static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
+
 static inline cairn_body_type cairn_body_type_of(const cairn_body *body) { return (cairn_body_type)(body->flags & CAIRN_BODY_TYPE); }
 static inline bool cairn_body_is_dynamic(const cairn_body *body) { return (body->flags & CAIRN_BODY_TYPE) == CAIRN_DYNAMIC; }
 /* Takes part in the step: used, not static, not asleep. */

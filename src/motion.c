@@ -116,7 +116,7 @@ static void mark_rest(cairn_world *world, const cairn_arbiter *arbiter)
     cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0),
                                              arbiter->kinetic_friction);
     bool slips = magnitude(arbiter->friction_impulse) >= limit;
-    unsigned marks = CAIRN_BODY_HELD | (slips ? CAIRN_BODY_SLIPPING : on_two ? CAIRN_BODY_STEADY : 0u);
+    unsigned marks = CAIRN_BODY_HELD | cairn_flag_if(slips, CAIRN_BODY_SLIPPING) | cairn_flag_if(on_two, CAIRN_BODY_STEADY);
     a->flags = (uint16_t)(a->flags | marks);
     b->flags = (uint16_t)(b->flags | marks);
 }

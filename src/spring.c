@@ -256,7 +256,7 @@ static void count_ends(cairn_world *world)
         cairn_body *ends[2] = { &world->bodies[spring->a], &world->bodies[spring->b] };
         for (int k = 0; k < 2; k++) {
             unsigned more = ends[k]->flags & CAIRN_BODY_SPRING ? CAIRN_BODY_SPRINGS : CAIRN_BODY_SPRING;
-            unsigned sprung = spring->flags & NO_CONTACT ? CAIRN_BODY_SPRUNG : 0u;
+            unsigned sprung = cairn_flag_if((spring->flags & NO_CONTACT) != 0, CAIRN_BODY_SPRUNG);
             ends[k]->flags = (uint16_t)(ends[k]->flags | more | sprung);
         }
     }
