@@ -9,12 +9,14 @@ set(CAIRN_SOURCES
     src/collide_circle_polygon.c
     src/collide_polygon.c
     src/contact.c
+    src/debug_draw.c
     src/hash.c
     src/material.c
     src/motion.c
     src/polygon_init.c
     src/quadtree.c
     src/quadtree_walk.c
+    src/query.c
     src/rows.c
     src/shape_box.c
     src/shape_circle.c
@@ -24,6 +26,4 @@ set(CAIRN_SOURCES
     src/solver_soft.c
     src/spring.c
     src/world.c
-    src/debug_draw.c
-    src/query.c
 )
