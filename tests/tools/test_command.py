@@ -34,6 +34,13 @@ def test_csv_on_stdout_is_nothing_but_csv() -> None:
     assert [(row["step"], row["body"]) for row in rows] == [(step, body) for step in range(11) for body in (0, 1)]
 
 
+def test_a_reader_that_stops_early_is_no_error() -> None:
+    command = f"'{ROOT}/tools/cairn' run pyramid10 --steps 200 --csv - | head -n 1"
+    done = subprocess.run(["bash", "-o", "pipefail", "-c", command], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "step,body,x,y,angle,vx,vy,omega\n"
+
+
 def test_step_0_is_the_start_of_the_scene_file() -> None:
     rows = rows_of(printed("run", "mass_proportions", "--steps", 0, "--csv", "-"))
     bodies = scene.load(scene.find("mass_proportions")).bodies

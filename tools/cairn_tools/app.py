@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Iterator
@@ -22,6 +23,7 @@ from . import bench as bench_module
 from . import compare as compare_module
 from . import draw, engine, scene
 from .errors import UserError
+from .trajectory import Trajectory
 
 out = Console()
 err = Console(stderr=True)
@@ -106,7 +108,7 @@ def run(
         got = engine.run(loaded, arithmetic.value, on.value, steps, 0 if only_hash else every)
     poses = got.trajectory.poses
     if csv == "-":
-        got.trajectory.write_csv(sys.stdout)
+        _print_csv(got.trajectory)
     elif csv:
         with _writable(csv).open("w", encoding="utf-8") as file:
             got.trajectory.write_csv(file)
@@ -207,6 +209,16 @@ def _scene(name: str, solver: Solver | None, substeps: int | None, passes: int |
     loaded = scene.load(scene.find(name))
     given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
     return replace(loaded, **{key: value for key, value in given.items() if value is not None})
+
+
+def _print_csv(trajectory: Trajectory) -> None:
+    """CSV on stdout; a reader that has seen enough (head, less) is no error."""
+    try:
+        trajectory.write_csv(sys.stdout)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # What is left in the buffer has nowhere to go.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _writable(file: Path | str) -> Path:
