@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cairn_tools import compare, scene
-from cairn_tools.trajectory import CSV_HEADER, Trajectory, unwrapped
+from cairn_tools.trajectory import CSV_HEADER, Trajectory
 
 
 def pair_of_bodies() -> scene.Scene:
@@ -59,9 +59,3 @@ def test_csv_has_a_row_a_body_a_step_and_reads_back_exactly() -> None:
     assert "-0," not in out.getvalue()
     read = np.loadtxt(io.StringIO("\n".join(rows)), delimiter=",")
     np.testing.assert_array_equal(read[:, 2:].reshape(2, 3, 6), wanted.states)
-
-
-def test_angles_are_made_continuous() -> None:
-    turning = np.linspace(0, 20, 100)
-    wrapped = np.remainder(turning + math.pi, 2 * math.pi) - math.pi
-    np.testing.assert_allclose(unwrapped(wrapped), turning, atol=1e-12)

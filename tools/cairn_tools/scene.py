@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import dataclass, field
-from functools import cached_property
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -51,7 +50,6 @@ class Shape:
     kind: str
     radius: float
     corners: tuple[Point, ...] = ()
-    size: tuple[float, ...] = ()
 
     @property
     def centre(self) -> Point:
@@ -121,11 +119,6 @@ class Scene:
     passes: int = 10
     broad_phase: str = "pairs"
     sleep: bool = False
-
-    @cached_property
-    def used_materials(self) -> list[str]:
-        """Names of the materials that bodies have, in order of first use."""
-        return list(dict.fromkeys(b.material for b in self.bodies))
 
     def material(self, name: str) -> Material:
         return self.materials[name] if name in self.materials else PRESETS[name]
@@ -302,12 +295,12 @@ def _shape(values: dict[str, Any], path: list[Any]) -> Shape:
     ((kind, value),) = values.items()
     path = [*path, kind]
     if kind == "circle":
-        return Shape("circle", value, size=(value,))
+        return Shape("circle", value)
     if kind == "box":
-        shape = Shape("box", 0.0, tuple(geometry.box(*value)), size=tuple(value))
+        shape = Shape("box", 0.0, tuple(geometry.box(*value)))
     elif kind == "regular":
         corners = geometry.regular(value["sides"], value["radius"])
-        shape = Shape("regular", 0.0, tuple(corners), size=(value["sides"], value["radius"]))
+        shape = Shape("regular", 0.0, tuple(corners))
     else:
         shape = Shape("polygon", 0.0, tuple(_convex([_pair(p) for p in value], path)))
     if shape.reach > LARGEST_REACH:

@@ -34,8 +34,3 @@ class Trajectory:
 def _number(value: float) -> str:
     """Shortest text that reads back as the same double; no negative zero."""
     return repr(float(value) + 0.0).removesuffix(".0")
-
-
-def unwrapped(angles: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Angles along axis 0 made continuous: each moves by less than half a turn from the one before."""
-    return np.unwrap(angles, axis=0)
