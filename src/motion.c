@@ -56,7 +56,6 @@ void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
         if (!cairn_body_is_active(body)) {
             continue;
         }
-        body->dx = body->dy = body->dw = 0;
         cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
         if (!(body->flags & CAIRN_BODY_PLAIN)) {
             body->vx = damped(world, body->vx, body->damping);
@@ -205,5 +204,6 @@ void cairn_bodies_finish(cairn_world *world)
             cairn_angle_rotation(body->angle, &body->cosine, &body->sine);
         }
         body->ux = body->uy = body->uw = 0;
+        body->dx = body->dy = body->dw = 0; /* now, since the impact phase comes before the next start */
     }
 }
