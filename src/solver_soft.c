@@ -72,14 +72,20 @@ static inline cairn_motion relaxed(const cairn_body *a, const cairn_body *b, con
     return pressed(row->impulse - cairn_motion_ratio(u, row->mass));
 }
 
-/* Coulomb: stick while the whole impulse fits the static cone, else slide at the kinetic one. */
+/*
+ * Coulomb: stick while the whole impulse fits the static cone, else slide at the kinetic one. What slips slower than
+ * half of a sub-step's approach is still held at the static limit: the first passes over two points and their friction
+ * find only part of it, and a body let go then would never stick again where static friction holds and kinetic does not.
+ */
 static inline cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u)
 {
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
     if (impulse > limit || -impulse > limit) {
-        impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
+        cairn_motion slow = cairn_motion_half(pressure);
+        bool slides = u > slow || -u > slow;
+        impulse = cairn_motion_clamp(impulse, slides ? cairn_motion_factor(pressure, arbiter->kinetic_friction) : limit);
     }
     return cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX);
 }
