@@ -105,15 +105,15 @@ static uint32_t inverse_root_32(uint32_t m)
     return corrected(r, ((d + 1) >> 1) + (int32_t)(square >> 31));
 }
 
-/* a / b in Q31, truncated; a <= b, b at least 2^31. */
+/* a / b in Q31, rounded to nearest; a <= b, b at least 2^31. */
 static uint32_t fraction(uint32_t a, uint32_t b)
 {
     uint32_t q = high_word(cairn_product(a, inverse_32(b)));
     int64_t rest = (int64_t)(((uint64_t)a << 31) - cairn_product(q, b));
 
-    while (rest < 0) { q--; rest += b; } /* at most 3 times: q is within 3 */
+    while (rest < 0) { q--; rest += b; } /* at most 5 times: q is within 5 */
     while (rest >= (int64_t)b) { q++; rest -= b; }
-    return q;
+    return 2 * rest >= (int64_t)b ? q + 1 : q;
 }
 
 /* The square root rounded to nearest, at most 2^32 - 1. */
@@ -132,7 +132,7 @@ static uint32_t root(uint64_t x)
     s = s > 0x7FFFFFFFu ? UINT32_MAX : s << 1;
     s >>= shift / 2;
     rest = (int64_t)(x - cairn_product(s, s));
-    while (rest > (int64_t)s && s != UINT32_MAX) { s++; rest -= 2 * (int64_t)s - 1; } /* at most 8 times: s is within 8 */
+    while (rest > (int64_t)s && s != UINT32_MAX) { s++; rest -= 2 * (int64_t)s - 1; } /* at most 12 times: s is within 12 */
     while (rest <= -(int64_t)s) { rest += 2 * (int64_t)s - 1; s--; }
     return s;
 }
@@ -152,7 +152,7 @@ cairn_real cairn_real_divide(cairn_real a, cairn_real b)
     shift = cairn_clz(under);
     q = (uint32_t)(cairn_product(over, inverse_32(under << shift)) >> (47 - shift));
     rest = (int64_t)(((uint64_t)over << 16) - cairn_product(q, under));
-    while (rest < 0) { q--; rest += under; } /* at most 3 times: q is within 3 */
+    while (rest < 0) { q--; rest += under; } /* at most 5 times: q is within 5 */
     while (rest >= (int64_t)under) { q++; rest -= under; }
     return with_sign(2 * rest >= (int64_t)under ? q + 1 : q, sign);
 }
@@ -355,7 +355,7 @@ int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
 cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
 {
     /* 2^32 / 2 pi over 2^28 is 16 / 2 pi, in Q30 here */
-    uint32_t k = high_word(cairn_product(inverse_gyration.mantissa, 2734261102u));
+    uint32_t k = high_word(cairn_product(inverse_gyration.mantissa, 2734261102u) + 0x80000000u);
     uint64_t product = cairn_product(magnitude(x), k);
     int shift = -(inverse_gyration.exponent + 2);
     uint32_t turned;

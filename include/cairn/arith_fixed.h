@@ -165,18 +165,18 @@ cairn_real cairn_real_length(cairn_real x, cairn_real y);
 /* ---- angles ---- */
 
 static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
-/* Cosine and sine, each within 4 units of Q2.30. */
+/* Cosine and sine, each within 2.7 units of Q2.30; exact at quarter turns. */
 void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine);
-/* The direction of (x, y), within 4 units of the binary angle; 0 for (0, 0). */
+/* The direction of (x, y), within 1.1 units of the binary angle; 0 for (0, 0). */
 cairn_angle cairn_angle_of(cairn_real y, cairn_real x);
 /* Radians in [-pi, pi], rounded to nearest. */
 static inline cairn_real cairn_angle_radians(cairn_angle a) { return (cairn_mul32(a, 1686629713, 32) + 2048) >> 12; }
-/* Any number of radians. */
+/* Any number of radians, within 0.52 units of the binary angle. */
 cairn_angle cairn_angle_from_radians(cairn_real radians);
 /* part / whole of a turn, rounded to nearest; 0 <= part < whole <= 65535. */
 cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole);
 
-/* ---- cairn_wide: positive magnitudes of any size, relative error below 2^-31 an operation ---- */
+/* ---- cairn_wide: positive magnitudes of any size, relative error at most 2^-32 an operation ---- */
 
 cairn_wide cairn_wide_of(int32_t x, int exponent); /* |x| * 2^exponent */
 cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b);
@@ -207,11 +207,12 @@ static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wid
 static inline cairn_offset cairn_wide_to_offset(cairn_wide k) { return cairn_wide_scale(1, k, 22); }
 static inline cairn_motion cairn_motion_from_real(cairn_real x, cairn_wide k) { return cairn_wide_scale(x, k, 12); }
 static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, -12); }
-/* A displacement times the inverse of the radius of gyration: the angle turned; whole turns wrap away. */
+/* A displacement times the inverse of the radius of gyration: the angle turned, within 2^-31 of itself and
+   half a unit; whole turns wrap away. */
 cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration);
 /*
- * An arm over the radius of gyration, within a unit of Q2.13 (1.2 units for radii from 8 to 16 mm). Called several times a
- * contact, so by 17 bits of the mantissa, the last one always set, which needs no 64-bit product.
+ * An arm over the radius of gyration, within 1.1 units of Q2.13. Called several times a contact, so by 17 bits of
+ * the mantissa, the last one always set, which needs no 64-bit product.
  */
 static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
 {
@@ -289,9 +290,10 @@ static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit
 {
     return cairn_dot32(ax, bx, ay, by, 30);
 }
-/* a / b as a fraction in [0, 1]; 0 < b, 0 <= a <= b. */
+/* a / b as a fraction in [0, 1], within 2 units of Q2.30, exact at both ends; 0 < b, 0 <= a <= b. */
 cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b);
-/* The unit vector along (x, y), within 2^-28, and the length; (1, 0) and 0 if both are zero. */
+/* The unit vector along (x, y), within 2 units of Q2.30, and the length within 0.8 units, saturated; exact along the
+   axes; (1, 0) and 0 if both are zero. */
 cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy);
 static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return (cairn_dir)((u + 32768) >> 16); }
 static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return (cairn_unit)((uint32_t)(int32_t)d << 16); }
@@ -337,6 +339,9 @@ static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { re
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
 static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return (cairn_ratio)cairn_clamp(cairn_wide_scale(1, k, 14), INT16_MAX); }
+static inline cairn_real cairn_real_tenth(cairn_real x) { return cairn_mul32(x, 429496730, 32); }
+/* An angle times a fraction in [0, 1]. */
+static inline cairn_angle cairn_angle_part(cairn_angle a, cairn_unit part) { return cairn_mul32(a, part, 30); }
 static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return cairn_wide_of(x, -14); }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
 /* x / 2^n, 0 <= n <= 30 */
@@ -361,7 +366,8 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d)
 
 static inline cairn_factor cairn_factor_from_real(cairn_real x) { return (cairn_factor)((uint32_t)cairn_clamp(x, 134217727) << 4); }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return (s + 512) >> 10; }
-/* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin. */
+/* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin.
+   Within 0.8 units. */
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k)
 {
     return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
@@ -369,7 +375,7 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
 /* x x + y y: one, but for rounding */
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return ((int32_t)x * x + (int32_t)y * y + 128) >> 8; }
-/* 1 / f, at most 2; relative error below 2^-13. */
+/* 1 / f, within 0.9 units of Q1.14; just below 2 from f = 0.5 down. */
 cairn_ratio cairn_factor_inverse(cairn_factor f);
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return (cairn_ratio)(((int32_t)a * b + 8192) >> 14); }
 /* sqrt(a b), both non-negative, rounded to nearest. */

@@ -1,0 +1,859 @@
+/*
+ * The contract of arith_fixed.h in whole numbers: what is exact is exact, what is rounded is rounded to the nearest,
+ * what saturates does so on both sides, and every core gives the same bits. Errors in units of the last place are
+ * measured by tests/arith/errors.c.
+ */
+#include "arith_random.h"
+#include "cairn/arith.h"
+
+#include <unity.h>
+
+/* The reference arithmetic is slow on a core. */
+#ifdef __arm__
+#define ROUNDS 10000
+#else
+#define ROUNDS 1000000
+#endif
+
+#define ONE CAIRN_UNIT(1)
+
+static arith_random random;
+
+void setUp(void) { random = arith_random_seeded(7); }
+void tearDown(void) {}
+
+static int32_t any(void) { return arith_random_argument(&random); }
+
+/* A random positive number of any magnitude. */
+static int32_t some(void)
+{
+    int32_t x = any();
+    return x > 0 ? x : x < 0 ? -x : 1;
+}
+
+static uint64_t size64(int64_t x) { return x < 0 ? 0u - (uint64_t)x : (uint64_t)x; }
+
+/* Whether n / d lies within half of r, halves upwards: by division, which the code under test never does. */
+static int64_t nearest_up(int64_t n, int64_t d)
+{
+    int64_t q = n / d, rest = n % d;
+    if (rest < 0) {
+        rest += d;
+        q--;
+    }
+    return 2 * rest >= d ? q + 1 : q;
+}
+
+/* Asserts cheaply: Unity is called for a failure only. */
+static void expect(int64_t expected, int64_t actual, int32_t a, int32_t b)
+{
+    if (expected != actual) {
+        UnityPrintNumber(a);
+        UnityPrint(" ");
+        UnityPrintNumber(b);
+        TEST_ASSERT_EQUAL_INT64(expected, actual);
+    }
+}
+
+static void expect_within(int64_t bound, int64_t expected, int64_t actual, int32_t a, int32_t b)
+{
+    if (size64(actual - expected) > (uint64_t)bound) {
+        UnityPrintNumber(a);
+        UnityPrint(" ");
+        UnityPrintNumber(b);
+        TEST_ASSERT_INT64_WITHIN((uint64_t)bound, expected, actual);
+    }
+}
+
+static int64_t clamped(int64_t x) { return x > INT32_MAX ? INT32_MAX : x < -INT32_MAX ? -INT32_MAX : x; }
+
+/* ---- constants ---- */
+
+void test_constants_are_rounded_to_nearest(void)
+{
+    TEST_ASSERT_EQUAL_INT32(65536, CAIRN_F(1));
+    TEST_ASSERT_EQUAL_INT32(-98304, CAIRN_F(-1.5));
+    TEST_ASSERT_EQUAL_INT32(6554, CAIRN_F(0.1));
+    TEST_ASSERT_EQUAL_INT32(-6554, CAIRN_F(-0.1));
+    TEST_ASSERT_EQUAL_INT32(1 << 28, CAIRN_MOTION(1));
+    TEST_ASSERT_EQUAL_INT32(1 << 22, CAIRN_OFFSET(1));
+    TEST_ASSERT_EQUAL_INT32(1 << 30, CAIRN_UNIT(1));
+    TEST_ASSERT_EQUAL_INT32(8192, CAIRN_RATIO(0.5));
+    TEST_ASSERT_EQUAL_INT32(1 << 29, CAIRN_SHARE(0.5));
+    TEST_ASSERT_EQUAL_INT32(1 << 20, CAIRN_FACTOR(1));
+}
+
+void test_angles_as_constants_wrap(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0x40000000, CAIRN_DEGREES(90));
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, CAIRN_DEGREES(180));
+    TEST_ASSERT_EQUAL_INT32(-0x40000000, CAIRN_DEGREES(270));
+    TEST_ASSERT_EQUAL_INT32(0x40000000, CAIRN_RADIANS(1.57079632679489661923));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_DEGREES(-30), CAIRN_DEGREES(330));
+}
+
+/* ---- primitives ---- */
+
+void test_products_round_halves_upwards(void)
+{
+    TEST_ASSERT_EQUAL_INT32(1, cairn_mul16(1, 1, 1));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_mul16(-1, 1, 1));
+    TEST_ASSERT_EQUAL_INT32(2, cairn_mul16(3, 1, 1));
+    TEST_ASSERT_EQUAL_INT32(-1, cairn_mul16(-3, 1, 1));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_mul32(1 << 30, 2, 32));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_mul32(-(1 << 30), 2, 32));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_dot16(8192, 1, 0, 0));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_dot16(-8192, 1, 0, 0));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_dot32(1 << 15, 1 << 13, 1 << 15, 1 << 13, 30));
+}
+
+void test_products_are_the_nearest(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any(), c = any(), d = any();
+        int32_t dir_b = b % 16385, dir_d = d % 16385;
+        expect(nearest_up((int64_t)a * dir_b, 16384), cairn_mul16(a, dir_b, 14), a, dir_b);
+        expect(nearest_up((int64_t)a * b, (int64_t)1 << 32), cairn_mul32(a, b, 32), a, b);
+        expect(nearest_up((int64_t)a / 2 * dir_b + (int64_t)c / 2 * dir_d, 16384), cairn_dot16(a / 2, dir_b, c / 2, dir_d), a, c);
+        expect(nearest_up((int64_t)a * (b / 4) + (int64_t)c * (d / 4), (int64_t)1 << 30), cairn_dot32(a, b / 4, c, d / 4, 30), a, b);
+    }
+}
+
+void test_leading_zeros_of_every_length(void)
+{
+    TEST_ASSERT_EQUAL_INT(32, cairn_clz(0));
+    for (int bit = 0; bit < 32; bit++) {
+        TEST_ASSERT_EQUAL_INT(31 - bit, cairn_clz((uint32_t)1 << bit));
+        TEST_ASSERT_EQUAL_INT(31 - bit, cairn_clz(UINT32_MAX >> (31 - bit)));
+    }
+}
+
+void test_saturation_is_symmetric(void)
+{
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_clamp64((int64_t)INT32_MAX + 1));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_clamp64(-(int64_t)INT32_MAX - 1));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_clamp64(INT64_MAX));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_clamp64(INT64_MIN));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_motion_add(INT32_MAX, 1));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_motion_add(-INT32_MAX, -1));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_motion_add(-INT32_MAX, -INT32_MAX));
+    TEST_ASSERT_EQUAL_INT32(-5, cairn_clamp(-9, 5));
+    TEST_ASSERT_EQUAL_INT32(5, cairn_clamp(9, 5));
+    TEST_ASSERT_EQUAL_INT32(3, cairn_clamp(3, 5));
+}
+
+void test_sums_saturate_and_are_exact_within(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any();
+        expect(clamped((int64_t)a + b), cairn_real_add(a, b), a, b);
+        expect(clamped((int64_t)a - b), cairn_real_sub(a, b), a, b);
+        expect(clamped((int64_t)a + b), cairn_motion_add(a, b), a, b);
+        expect(clamped((int64_t)a * 65536), cairn_real_from_int(a), a, 0);
+    }
+}
+
+/* ---- cairn_real ---- */
+
+void test_real_product_is_nearest_and_saturates(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(-6), cairn_real_mul(CAIRN_F(2), CAIRN_F(-3)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_mul(CAIRN_F(300), CAIRN_F(300)));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_real_mul(CAIRN_F(300), CAIRN_F(-300)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any();
+        expect(clamped(nearest_up((int64_t)a * b, 65536)), cairn_real_mul(a, b), a, b);
+    }
+}
+
+void test_quotient_is_nearest_with_halves_away_from_zero(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(-0.5), cairn_real_divide(CAIRN_F(1), CAIRN_F(-2)));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_real_divide(1, 131072));
+    TEST_ASSERT_EQUAL_INT32(-1, cairn_real_divide(-1, 131072));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_divide(1, 131073));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any();
+        if (b != 0) {
+            int64_t n = (int64_t)size64(a) << 16, d = (int64_t)size64(b), q = (n + d / 2) / d;
+            expect(clamped((a < 0) != (b < 0) ? -q : q), cairn_real_divide(a, b), a, b);
+        }
+    }
+}
+
+void test_quotient_by_zero_is_the_largest_of_its_sign(void)
+{
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_divide(1, 0));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_real_divide(-1, 0));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_divide(0, 0));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_divide(CAIRN_F(1), 1));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_divide(INT32_MIN, -1));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(1), cairn_real_divide(INT32_MIN, INT32_MIN));
+}
+
+/* r is the root of n to the nearest: (r - 1/2)^2 < n < (r + 1/2)^2, both sides times 1 and without the quarter. */
+static bool is_nearest_root(uint64_t r, uint64_t n)
+{
+    return (r == 0 || r * r - r < n) && n <= r * r + r;
+}
+
+void test_root_is_nearest(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_sqrt(0));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_sqrt(CAIRN_F(-4)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_sqrt(INT32_MIN));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(3), cairn_real_sqrt(CAIRN_F(9)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = some();
+        if (!is_nearest_root((uint64_t)cairn_real_sqrt(x), (uint64_t)x << 16)) { expect(0, cairn_real_sqrt(x), x, 0); }
+    }
+}
+
+void test_length_is_nearest_and_saturates(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(5), cairn_real_length(CAIRN_F(-3), CAIRN_F(4)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_length(0, 0));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_real_length(0, -1));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_length(INT32_MAX, INT32_MAX));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_length(INT32_MIN, INT32_MIN));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_length(0, INT32_MIN));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), y = any();
+        uint64_t square = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
+        int32_t length = cairn_real_length(x, y);
+        bool right = length == INT32_MAX ? square > (uint64_t)length * (uint64_t)length - (uint64_t)length
+                                         : is_nearest_root((uint64_t)length, square);
+        if (!right) { expect(0, length, x, y); }
+    }
+}
+
+void test_geometric_mean_is_nearest(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(6), cairn_real_geometric_mean(CAIRN_F(4), CAIRN_F(9)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_geometric_mean(0, CAIRN_F(9)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_geometric_mean(CAIRN_F(-4), CAIRN_F(-9)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_geometric_mean(INT32_MAX, INT32_MAX));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = some(), b = some();
+        uint64_t mean = (uint64_t)cairn_real_geometric_mean(a, b);
+        if (!is_nearest_root(mean, (uint64_t)a * (uint64_t)b)) { expect(0, (int64_t)mean, a, b); }
+    }
+}
+
+void test_floor_and_half_of_negatives(void)
+{
+    TEST_ASSERT_EQUAL_INT32(-2, cairn_real_floor(CAIRN_F(-1.5)));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_real_floor(CAIRN_F(1.5)));
+    TEST_ASSERT_EQUAL_INT32(-1, cairn_real_half(-3));
+}
+
+/* ---- angles ---- */
+
+void test_rotation_is_exact_at_quarter_turns(void)
+{
+    static const int32_t turns[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+    for (uint32_t quarter = 0; quarter < 4; quarter++) {
+        cairn_unit cosine, sine;
+        cairn_angle_rotation((cairn_angle)(quarter << 30), &cosine, &sine);
+        TEST_ASSERT_EQUAL_INT32(turns[quarter][0] * ONE, cosine);
+        TEST_ASSERT_EQUAL_INT32(turns[quarter][1] * ONE, sine);
+    }
+}
+
+void test_rotation_turns_by_quarters_exactly(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t angle = (int32_t)arith_random_bits(&random);
+        cairn_unit c, s, turned_c, turned_s;
+        if (((uint32_t)angle & 0x3FFFFFFFu) == 0x20000000u) { continue; } /* an eighth belongs to one side */
+        cairn_angle_rotation(angle, &c, &s);
+        cairn_angle_rotation(cairn_angle_add(angle, 0x40000000), &turned_c, &turned_s);
+        expect(-s, turned_c, angle, 0);
+        expect(c, turned_s, angle, 0);
+    }
+}
+
+void test_rotation_back_is_the_mirror_image(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t angle = any();
+        cairn_unit c, s, back_c, back_s;
+        cairn_angle_rotation(angle, &c, &s);
+        cairn_angle_rotation(-angle, &back_c, &back_s);
+        expect_within(2, c, back_c, angle, 0);
+        expect_within(2, -s, back_s, angle, 0);
+    }
+}
+
+void test_rotation_has_known_values(void)
+{
+    /* round(2^30 cos), round(2^30 sin) of i / 24 of a turn and of 1 radian */
+    static const struct {
+        cairn_angle angle;
+        int32_t cosine, sine;
+    } known[] = {
+        { 178956971, 1037154959, 277904834 }, { 357913941, 929887697, 536870912 }, { 536870912, 759250125, 759250125 },
+        { 715827883, 536870912, 929887697 },  { 894784853, 277904834, 1037154959 }, { 683565276, 580145183, 903522590 },
+    };
+    for (uint32_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        cairn_unit c, s;
+        cairn_angle_rotation(known[i].angle, &c, &s);
+        TEST_ASSERT_INT32_WITHIN(4, known[i].cosine, c);
+        TEST_ASSERT_INT32_WITHIN(4, known[i].sine, s);
+    }
+}
+
+void test_direction_of_axes_and_diagonals_is_exact(void)
+{
+    for (int32_t size = 1; size > 0 && size < INT32_MAX / 4; size = size * 3 + 1) {
+        TEST_ASSERT_EQUAL_INT32(0, cairn_angle_of(0, size));
+        TEST_ASSERT_EQUAL_INT32(0x20000000, cairn_angle_of(size, size));
+        TEST_ASSERT_EQUAL_INT32(0x40000000, cairn_angle_of(size, 0));
+        TEST_ASSERT_EQUAL_INT32(0x60000000, cairn_angle_of(size, -size));
+        TEST_ASSERT_EQUAL_INT32(INT32_MIN, cairn_angle_of(0, -size));
+        TEST_ASSERT_EQUAL_INT32(-0x60000000, cairn_angle_of(-size, -size));
+        TEST_ASSERT_EQUAL_INT32(-0x40000000, cairn_angle_of(-size, 0));
+        TEST_ASSERT_EQUAL_INT32(-0x20000000, cairn_angle_of(-size, size));
+    }
+    TEST_ASSERT_EQUAL_INT32(0, cairn_angle_of(0, 0));
+    TEST_ASSERT_EQUAL_INT32(-0x60000000, cairn_angle_of(INT32_MIN, INT32_MIN));
+}
+
+void test_direction_undoes_rotation(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t angle = (int32_t)arith_random_bits(&random);
+        cairn_unit c, s;
+        cairn_angle_rotation(angle, &c, &s);
+        expect_within(4, 0, cairn_angle_of(s, c) - (int64_t)angle, angle, 0);
+    }
+}
+
+void test_radians_there_and_back(void)
+{
+    TEST_ASSERT_EQUAL_INT32(102944, cairn_angle_radians(0x40000000)); /* pi/2 = 102943.7 / 65536 */
+    TEST_ASSERT_EQUAL_INT32(-205887, cairn_angle_radians(INT32_MIN));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_angle_from_radians(0));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t radians = any() % 205887;
+        expect_within(0, radians, cairn_angle_radians(cairn_angle_from_radians(radians)), radians, 0);
+    }
+}
+
+void test_parts_of_a_turn_are_nearest(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0x40000000, cairn_angle_of_turn(1, 4));
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, cairn_angle_of_turn(2, 4));
+    TEST_ASSERT_EQUAL_INT32(1431655765, cairn_angle_of_turn(1, 3));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t whole = (int32_t)(arith_random_bits(&random) >> 16) + 1, part;
+        whole = whole > 65535 ? 65535 : whole;
+        part = (int32_t)(arith_random_bits(&random) >> 16) % whole;
+        expect((int32_t)(uint32_t)nearest_up((int64_t)part << 32, whole), cairn_angle_of_turn(part, whole), part, whole);
+    }
+}
+
+/* ---- cairn_wide ---- */
+
+/* A statement each: the order of a call's arguments is the compiler's. */
+static cairn_wide some_wide(void)
+{
+    int32_t x = some();
+    int exponent = (int)(arith_random_bits(&random) >> 26) - 32;
+    return cairn_wide_of(x, exponent);
+}
+
+static bool is_normal(cairn_wide k) { return k.mantissa == 0 ? k.exponent == 0 : k.mantissa >> 31 == 1; }
+
+void test_wide_of_is_exact(void)
+{
+    cairn_wide zero = cairn_wide_of(0, 5);
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(zero) && is_normal(zero));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any();
+        cairn_wide k = cairn_wide_of(x, 3);
+        if (x != 0) {
+            expect(1, k.mantissa >> 31, x, 0);
+            expect((int64_t)size64(x), k.mantissa >> (3 - k.exponent), x, 0);
+        }
+    }
+    TEST_ASSERT_EQUAL_HEX32(0x80000000u, cairn_wide_of(INT32_MIN, 0).mantissa);
+}
+
+void test_wide_product_is_within_half_a_unit(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        cairn_wide a = some_wide(), b = some_wide(), p = cairn_wide_mul(a, b);
+        int down = p.exponent - a.exponent - b.exponent; /* 31 or 32 */
+        uint64_t exact = (uint64_t)a.mantissa * b.mantissa;
+        int64_t off = (int64_t)(((uint64_t)p.mantissa << down) - exact); /* wraps back when the product does not fit */
+        if (!is_normal(p) || size64(off) > (uint64_t)1 << (down - 1)) { expect(0, off, (int32_t)a.mantissa, (int32_t)b.mantissa); }
+    }
+}
+
+void test_wide_quotient_times_divisor_is_the_dividend(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        cairn_wide a = some_wide(), b = some_wide(), q = cairn_wide_div(a, b);
+        int up = a.exponent - b.exponent - q.exponent; /* 31 or 32 */
+        int64_t rest = (int64_t)(((uint64_t)a.mantissa << (up - 1)) - (uint64_t)q.mantissa * b.mantissa / 2); /* in halves: up to 2^63 */
+        if (!is_normal(q) || size64(rest) > b.mantissa / 2 + 1) { expect(0, rest, (int32_t)a.mantissa, (int32_t)b.mantissa); }
+    }
+}
+
+void test_wide_zero_absorbs_and_is_neutral(void)
+{
+    cairn_wide zero = cairn_wide_of(0, 0), two = cairn_wide_from_int(2);
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_mul(zero, two)));
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_div(zero, two)));
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_div(two, zero)));
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_sqrt(zero)));
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_add(zero, zero)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(2), cairn_wide_to_real(cairn_wide_add(zero, two)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(2), cairn_wide_to_real(cairn_wide_add(two, zero)));
+    TEST_ASSERT_TRUE(cairn_wide_less(zero, two));
+    TEST_ASSERT_FALSE(cairn_wide_less(two, zero));
+    TEST_ASSERT_FALSE(cairn_wide_less(zero, zero));
+    TEST_ASSERT_FALSE(cairn_wide_less(two, two));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_wide_scale(INT32_MAX, zero, 100));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_wide_scale(0, two, 100));
+}
+
+void test_wide_sum_of_neighbours_and_of_far_ones(void)
+{
+    cairn_wide one = cairn_wide_from_int(1);
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(3), cairn_wide_to_real(cairn_wide_add(one, cairn_wide_from_int(2))));
+    for (int exponent = 0; exponent < 40; exponent++) {
+        cairn_wide sum = cairn_wide_add(cairn_wide_of(1, -exponent), one);
+        uint32_t expected = exponent == 0 ? 0x80000000u : exponent < 32 ? 0x80000000u + (0x80000000u >> exponent) : 0x80000000u;
+        expected += exponent == 32 ? 1u : 0u; /* half a unit: upwards */
+        TEST_ASSERT_EQUAL_HEX32(expected, sum.mantissa);
+    }
+    for (int32_t i = 0; i < ROUNDS; i++) { /* in whole numbers the sum is exact */
+        int32_t a = some() / 2, b = some() / 2;
+        expect((int64_t)a + b, cairn_wide_scale(1, cairn_wide_add(cairn_wide_from_int(a), cairn_wide_from_int(b)), 0), a, b);
+    }
+}
+
+void test_wide_order_is_that_of_the_numbers(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = some(), b = some();
+        expect(a < b, cairn_wide_less(cairn_wide_from_int(a), cairn_wide_from_int(b)), a, b);
+    }
+}
+
+void test_wide_root_squared_is_the_number(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(1.5), cairn_wide_to_real(cairn_wide_sqrt(cairn_wide_from_real(CAIRN_F(2.25)))));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        cairn_wide a = some_wide(), r = cairn_wide_sqrt(a);
+        int up = a.exponent - 2 * r.exponent; /* 31 or 32 */
+        int64_t rest = (int64_t)(((uint64_t)a.mantissa << up) - (uint64_t)r.mantissa * r.mantissa);
+        if (!is_normal(r) || up < 31 || up > 32 || size64(rest) > r.mantissa) { expect(0, rest, (int32_t)a.mantissa, a.exponent); }
+    }
+}
+
+void test_wide_of_sums_and_areas(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(1000), cairn_wide_to_real(cairn_wide_from_sum(CAIRN_OFFSET(500), CAIRN_OFFSET(500))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(1000), cairn_wide_to_real(cairn_wide_from_sum(-CAIRN_OFFSET(500), -CAIRN_OFFSET(500))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(6), cairn_wide_to_real(cairn_wide_from_area((cairn_area)CAIRN_OFFSET(2) * CAIRN_OFFSET(-3))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(2.5), cairn_wide_to_offset(cairn_wide_from_offset(CAIRN_OFFSET(-2.5))));
+}
+
+/* x * m / 2^shift to the nearest, halves away from zero */
+static int64_t scaled(int32_t x, uint32_t m, int shift)
+{
+    uint64_t product = size64(x) * m;
+    uint64_t size;
+    if (shift <= 0) {
+        size = product == 0 ? 0 : INT32_MAX; /* a mantissa is at least 2^31 */
+    } else if (shift > 63) {
+        size = 0;
+    } else {
+        size = (product >> shift) + (product >> (shift - 1) & 1u);
+    }
+    size = size > INT32_MAX ? INT32_MAX : size;
+    return x < 0 ? -(int64_t)size : (int64_t)size;
+}
+
+void test_scaling_is_nearest_and_saturates(void)
+{
+    TEST_ASSERT_EQUAL_INT32(2, cairn_wide_scale(1, cairn_wide_of(3, -1), 0));
+    TEST_ASSERT_EQUAL_INT32(-2, cairn_wide_scale(-1, cairn_wide_of(3, -1), 0));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_wide_scale(1, cairn_wide_of(1, 31), 0));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_wide_scale(-1, cairn_wide_of(1, 31), 0));
+    TEST_ASSERT_EQUAL_INT32(1 << 30, cairn_wide_scale(1, cairn_wide_of(1, 30), 0));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_wide_scale(INT32_MIN, cairn_wide_of(1, 0), 0));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any();
+        cairn_wide k = some_wide();
+        int exponent = (int)(arith_random_bits(&random) >> 26) - 32;
+        expect(scaled(x, k.mantissa, -(k.exponent + exponent)), cairn_wide_scale(x, k, exponent), x, exponent);
+    }
+}
+
+void test_velocities_go_into_substeps_and_back(void)
+{
+    cairn_wide h = cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(240));
+    cairn_wide inverse = cairn_wide_from_int(240);
+    TEST_ASSERT_EQUAL_INT32(11184811, cairn_motion_from_real(CAIRN_F(10), h)); /* 10/240 * 2^28 */
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(10), cairn_real_from_motion(11184811, inverse));
+    for (int32_t v = -CAIRN_F(100); v < CAIRN_F(100); v += 7919) {
+        expect(v, cairn_real_from_motion(cairn_motion_from_real(v, h), inverse), v, 0);
+    }
+}
+
+void test_motion_turns_by_its_angle(void)
+{
+    cairn_wide one = cairn_wide_from_int(1);
+    TEST_ASSERT_EQUAL_INT32(CAIRN_RADIANS(1), cairn_angle_from_motion(CAIRN_MOTION(1), one));
+    TEST_ASSERT_EQUAL_INT32(-CAIRN_RADIANS(1), cairn_angle_from_motion(-CAIRN_MOTION(1), one));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_RADIANS(0.5), cairn_angle_from_motion(CAIRN_MOTION(2), cairn_wide_of(1, -2)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_angle_from_motion(CAIRN_MOTION(1), cairn_wide_of(0, 0)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_angle_from_motion(CAIRN_MOTION(1), cairn_wide_of(1, -40)));
+}
+
+void test_whole_turns_wrap_away(void)
+{
+    cairn_wide ten = cairn_wide_from_int(10), thousand = cairn_wide_from_int(1000);
+    /* within 2^-30 of the whole angle: 10 and 1000 radians are 1.6 and 159 * 2^32 */
+    TEST_ASSERT_INT32_WITHIN(7, CAIRN_RADIANS(10), cairn_angle_from_motion(CAIRN_MOTION(1), ten));
+    TEST_ASSERT_INT32_WITHIN(7, CAIRN_RADIANS(-10), cairn_angle_from_motion(CAIRN_MOTION(-1), ten));
+    TEST_ASSERT_INT32_WITHIN(637, CAIRN_RADIANS(1000), cairn_angle_from_motion(CAIRN_MOTION(1), thousand));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_angle_from_motion(1, cairn_wide_of(1, 70)));
+}
+
+void test_lever_is_near_and_held_to_its_bound(void)
+{
+    cairn_wide two = cairn_wide_from_int(2);
+    TEST_ASSERT_INT_WITHIN(1, 8192, cairn_lever_of(CAIRN_OFFSET(0.5), two));
+    TEST_ASSERT_INT_WITHIN(1, -8192, cairn_lever_of(CAIRN_OFFSET(-0.5), two));
+    TEST_ASSERT_EQUAL_INT(CAIRN_LEVER_MAX, cairn_lever_of(CAIRN_OFFSET(500), two));
+    TEST_ASSERT_EQUAL_INT(-CAIRN_LEVER_MAX, cairn_lever_of(-CAIRN_OFFSET(500), two));
+    TEST_ASSERT_EQUAL_INT(CAIRN_LEVER_MAX, cairn_lever_of(CAIRN_OFFSET(500), cairn_wide_of(1, 40)));
+    TEST_ASSERT_EQUAL_INT(-CAIRN_LEVER_MAX, cairn_lever_of(-CAIRN_OFFSET(500), cairn_wide_of(1, 40)));
+    TEST_ASSERT_EQUAL_INT(0, cairn_lever_of(CAIRN_OFFSET(500), cairn_wide_of(1, -60)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t arm = any();
+        int exponent = (int)(arith_random_bits(&random) >> 27) - 40;
+        cairn_wide k = cairn_wide_of(some(), exponent);
+        int64_t exact = cairn_clamp((int32_t)scaled(arm, k.mantissa, 9 - k.exponent), CAIRN_LEVER_MAX);
+        expect_within(k.exponent <= -24 ? 2 : 0, exact, cairn_lever_of(arm, k), arm, (int32_t)k.mantissa);
+    }
+}
+
+/* ---- what is carried from call to call ---- */
+
+void test_gravity_adds_up_over_a_second(void)
+{
+    /* 240 sub-steps of -9.81 / 240^2 m: Q16 642908, times 2^12, over 240 */
+    cairn_wide squared = cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(57600));
+    cairn_diffused gravity = cairn_diffused_of(CAIRN_F(-9.81), squared);
+    int32_t sum = 0;
+    for (int i = 0; i < 240; i++) { sum += cairn_diffuse(&gravity); }
+    TEST_ASSERT_INT32_WITHIN(1, -10972296, sum);
+}
+
+void test_diffused_change_loses_nothing(void)
+{
+    for (int32_t i = 0; i < 100; i++) {
+        int32_t x = any() / 65536, over = 1024 + (some() & 0xFFFF);
+        cairn_diffused d = cairn_diffused_of(x, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(over)));
+        int64_t sum = 0;
+        for (int j = 0; j < 1024; j++) { sum += cairn_diffuse(&d); }
+        expect_within(1, nearest_up((int64_t)x * 4096 * 1024, over), sum, x, over);
+    }
+}
+
+void test_diffused_change_saturates(void)
+{
+    cairn_diffused d = cairn_diffused_of(CAIRN_F(30000), cairn_wide_from_int(30000));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_diffuse(&d));
+    d = cairn_diffused_of(CAIRN_F(-30000), cairn_wide_from_int(30000));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_diffuse(&d));
+    d = cairn_diffused_of(0, cairn_wide_from_int(30000));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_diffuse(&d));
+    d = cairn_diffused_of(CAIRN_F(1), cairn_wide_of(1, -80));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_diffuse(&d));
+}
+
+/* ---- coordinates ---- */
+
+void test_coordinate_moves_without_loss(void)
+{
+    cairn_real x = 0;
+    cairn_residue residue = cairn_residue_zero();
+    int64_t exact = 0;
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t by = any();
+        if (size64(exact + by) < (uint64_t)INT32_MAX * 4096) {
+            exact += by;
+            expect(true, cairn_coordinate_move(&x, &residue, by), by, 0);
+            expect(exact, (int64_t)x * 4096 + residue, by, 0);
+            expect(x + (residue >= 2048), cairn_coordinate_round(x, residue), x, residue);
+        }
+    }
+}
+
+void test_coordinate_stops_at_the_edge_of_the_world(void)
+{
+    cairn_real x = INT32_MAX - 1;
+    cairn_residue residue = 0;
+    TEST_ASSERT_TRUE(cairn_coordinate_move(&x, &residue, 4096));
+    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, 4096));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_coordinate_round(x, 4095));
+    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, INT32_MAX));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
+    x = -INT32_MAX;
+    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, -4096));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, x);
+    TEST_ASSERT_TRUE(cairn_coordinate_move(&x, &residue, 4096));
+}
+
+void test_offset_between_coordinates_keeps_the_residues(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(1), cairn_coordinate_offset(CAIRN_F(3), 0, CAIRN_F(4), 0));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(-1), cairn_coordinate_offset(CAIRN_F(-32000), 77, CAIRN_F(-32001), 77));
+    TEST_ASSERT_EQUAL_INT32(63, cairn_coordinate_offset(5, 0, 5, 4095));
+    TEST_ASSERT_EQUAL_INT32(-64, cairn_coordinate_offset(5, 4095, 5, 0));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t from = any() / 2, by = any() / 128;
+        uint16_t a = (uint16_t)(arith_random_bits(&random) >> 20), b = (uint16_t)(arith_random_bits(&random) >> 20);
+        int64_t exact = (int64_t)by * 4096 + b - a;
+        expect(exact >= 0 ? exact / 64 : -((-exact + 63) / 64), cairn_coordinate_offset(from, a, from + by, b), from, by);
+    }
+}
+
+/* ---- offsets and units ---- */
+
+void test_conversions_are_nearest_to_the_ends_of_the_range(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any();
+        expect(nearest_up(x, 64), cairn_real_from_offset(x), x, 0);
+        expect(nearest_up(x, 64), cairn_offset_from_motion(x), x, 0);
+        expect(nearest_up(x / 2, 16384), cairn_real_from_unit(x / 2), x, 0);
+        expect(nearest_up(x / 2, 65536), cairn_dir_from_unit(x / 2), x, 0);
+        expect(x / 64, cairn_real_from_offset(cairn_offset_from_real(x / 64)), x, 0);
+        expect(cairn_clamp(x, 33554431) * (int64_t)64, cairn_motion_from_offset(x), x, 0);
+        expect(cairn_clamp(x, 134217727) * (int64_t)16, cairn_factor_from_real(x), x, 0);
+    }
+    TEST_ASSERT_EQUAL_INT32(ONE, cairn_unit_from_dir(cairn_dir_from_unit(ONE)));
+    TEST_ASSERT_EQUAL_INT32(-ONE, cairn_unit_from_dir(cairn_dir_negate(cairn_dir_from_unit(ONE))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(1), cairn_factor_from_share(CAIRN_SHARE(1)));
+}
+
+void test_halves_and_bounds_of_offsets(void)
+{
+    TEST_ASSERT_EQUAL_INT32(-2, cairn_offset_half(-3));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_offset_half(3));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any();
+        if ((int64_t)cairn_real_above_offset(x) * 64 < x) { expect(x, cairn_real_above_offset(x), x, 0); }
+    }
+}
+
+void test_fraction_has_exact_ends(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t b = some();
+        expect(0, cairn_offset_fraction(0, b), 0, b);
+        expect(ONE, cairn_offset_fraction(b, b), b, b);
+    }
+}
+
+void test_fraction_is_within_two_units(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = some(), b = some(), low = a < b ? a : b, high = a < b ? b : a;
+        cairn_unit f = cairn_offset_fraction(low, high);
+        int64_t off = (int64_t)f * high - ((int64_t)low << 30); /* in units of 1/high */
+        if (f < 0 || f > ONE || size64(off) > 2 * (uint64_t)high) { expect(0, off, low, high); }
+    }
+}
+
+void test_unit_along_an_axis_is_exact(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t size = some();
+        cairn_unit ux, uy;
+        expect(size, cairn_unit_along(size, 0, &ux, &uy), size, 0);
+        expect(ONE, ux, size, 0);
+        expect(0, uy, size, 0);
+        expect(size, cairn_unit_along(0, -size, &ux, &uy), 0, -size);
+        expect(0, ux, 0, -size);
+        expect(-ONE, uy, 0, -size);
+        cairn_unit_along(-size, 0, &ux, &uy);
+        expect(-ONE, ux, -size, 0);
+        cairn_unit_along(0, size, &ux, &uy);
+        expect(ONE, uy, 0, size);
+    }
+}
+
+void test_unit_along_nothing_is_along_x(void)
+{
+    cairn_unit ux, uy;
+    TEST_ASSERT_EQUAL_INT32(0, cairn_unit_along(0, 0, &ux, &uy));
+    TEST_ASSERT_EQUAL_INT32(ONE, ux);
+    TEST_ASSERT_EQUAL_INT32(0, uy);
+}
+
+void test_unit_along_has_direction_and_length_one(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), y = any();
+        cairn_unit ux, uy;
+        int64_t across, square;
+        if (x == 0 && y == 0) { continue; }
+        cairn_unit_along(x, y, &ux, &uy);
+        across = (int64_t)x / 2 * uy - (int64_t)y / 2 * ux; /* halves, so that the sum fits; the lost bits weigh 2^30 */
+        if (size64(across) > (3 * (size64(x) + size64(y))) / 2 + (uint64_t)ONE) { expect(0, across, x, y); }
+        square = (int64_t)ux * ux + (int64_t)uy * uy - ((int64_t)1 << 60);
+        if (size64(square) > (uint64_t)1 << 33) { expect(0, square, x, y); } /* 2 * 4 units */
+        if ((ux != 0 && (ux < 0) != (x < 0)) || (uy != 0 && (uy < 0) != (y < 0))) { expect(x, ux, x, y); }
+    }
+}
+
+void test_unit_along_mirrors_exactly(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), y = any();
+        cairn_unit ux, uy, vx, vy;
+        int32_t length = cairn_unit_along(x, y, &ux, &uy);
+        if (x == 0 && y == 0) { continue; }
+        expect(length, cairn_unit_along(-y, x, &vx, &vy), x, y);
+        expect(-uy, vx, x, y);
+        expect(ux, vy, x, y);
+    }
+}
+
+void test_unit_along_gives_the_length_within_a_unit(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), y = any();
+        cairn_unit ux, uy;
+        uint64_t square = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
+        uint64_t length = (uint64_t)cairn_unit_along(x, y, &ux, &uy);
+        bool above = length == 0 || (length - 1) * (length - 1) <= square;
+        bool below = length == INT32_MAX || square <= (length + 1) * (length + 1);
+        if (!above || !below) { expect(0, (int64_t)length, x, y); }
+    }
+    {
+        cairn_unit ux, uy;
+        TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_unit_along(INT32_MAX, INT32_MAX, &ux, &uy));
+        TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_unit_along(INT32_MIN, INT32_MIN, &ux, &uy));
+        TEST_ASSERT_EQUAL_INT32(ux, uy);
+        TEST_ASSERT_INT32_WITHIN(4, -759250125, ux);
+    }
+}
+
+void test_dot_products_of_units(void)
+{
+    TEST_ASSERT_EQUAL_INT32(ONE, cairn_unit_dot(ONE, 0, ONE, 0));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_unit_dot(ONE, 0, 0, ONE));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(250), cairn_offset_dot(CAIRN_OFFSET(300), CAIRN_OFFSET(400), CAIRN_UNIT(0.5), CAIRN_UNIT(0.25)));
+    TEST_ASSERT_EQUAL_INT32(-CAIRN_OFFSET(511), cairn_offset_mul(CAIRN_OFFSET(511), -ONE));
+}
+
+/* ---- coefficients ---- */
+
+void test_inverse_of_a_factor_is_within_a_unit(void)
+{
+    TEST_ASSERT_EQUAL_INT(16384, cairn_factor_inverse(CAIRN_FACTOR(1)));
+    TEST_ASSERT_EQUAL_INT(8192, cairn_factor_inverse(CAIRN_FACTOR(2)));
+    TEST_ASSERT_EQUAL_INT(1024, cairn_factor_inverse(CAIRN_FACTOR(16)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t f = some();
+        if (f > CAIRN_FACTOR(0.5)) {
+            int64_t off = (int64_t)cairn_factor_inverse(f) * f - ((int64_t)1 << 34); /* in units of 1/f */
+            if (size64(off) > (uint64_t)f && cairn_factor_inverse(f) != INT16_MAX) { expect(0, off, f, 0); }
+        }
+    }
+}
+
+void test_inverse_of_a_factor_saturates_just_below_two(void)
+{
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_factor_inverse(CAIRN_FACTOR(0.5)));
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_factor_inverse(CAIRN_FACTOR(0.5) + 1));
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_factor_inverse(1));
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_factor_inverse(0));
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_factor_inverse(-5));
+    TEST_ASSERT_EQUAL_INT(8, cairn_factor_inverse(INT32_MAX));
+}
+
+void test_factor_of_a_motion_is_nearest_and_saturates(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), f = any() / (i & 1 ? 1 : 2048);
+        expect(clamped(nearest_up((int64_t)a * f, 1 << 20)), cairn_motion_factor(a, f), a, f);
+    }
+}
+
+void test_spin_factor_is_share_times_levers(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(0.5), cairn_factor_spin(CAIRN_SHARE(0.5), 8192, 8192));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(-1), cairn_factor_spin(CAIRN_SHARE(1), 8192, -8192));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t share = any() & (ONE - 1);
+        int16_t j = (int16_t)(any() % CAIRN_LEVER_MAX), k = (int16_t)(any() % CAIRN_LEVER_MAX);
+        expect_within(1, nearest_up((int64_t)share * j / 256 * k, (int64_t)1 << 28), cairn_factor_spin(share, j, k), j, k);
+    }
+}
+
+void test_products_of_ratios_and_motions(void)
+{
+    TEST_ASSERT_EQUAL_INT(CAIRN_RATIO(0.75), cairn_ratio_mul(CAIRN_RATIO(1.5), CAIRN_RATIO(0.5)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(0.75), cairn_motion_ratio(CAIRN_MOTION(1.5), CAIRN_RATIO(0.5)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-3), cairn_motion_lever(CAIRN_MOTION(-1.5), 16384));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-1.5), cairn_motion_dir(CAIRN_MOTION(1.5), -16384));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-7.5), cairn_motion_share(CAIRN_MOTION(-7.5), CAIRN_SHARE(1)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(5), cairn_motion_along(CAIRN_MOTION(4), CAIRN_MOTION(-4), 16384, -4096));
+    TEST_ASSERT_EQUAL_INT32(-9, cairn_motion_clamp(-10, 9));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(2), cairn_motion_scale(CAIRN_MOTION(1), cairn_wide_from_int(2)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(0.5), cairn_factor_geometric_mean(CAIRN_FACTOR(0.25), CAIRN_FACTOR(1)));
+}
+
+/* ---- the same bits everywhere ---- */
+
+static uint32_t folded(uint32_t hash, int32_t x) { return (hash ^ (uint32_t)x) * 16777619u; }
+
+static uint32_t folded_wide(uint32_t hash, cairn_wide k) { return folded(folded(hash, (int32_t)k.mantissa), k.exponent); }
+
+void test_every_core_gives_the_same_bits(void)
+{
+    uint32_t hash = 2166136261u;
+    for (int i = 0; i < 5000; i++) {
+        int32_t a = any(), b = any(), pa = some(), pb = some();
+        int32_t low = pa < pb ? pa : pb, high = pa < pb ? pb : pa;
+        cairn_wide k = some_wide(), m = some_wide();
+        cairn_unit c, s;
+        hash = folded(hash, cairn_real_divide(a, b));
+        hash = folded(hash, cairn_real_mul(a, b));
+        hash = folded(hash, cairn_real_sqrt(a));
+        hash = folded(hash, cairn_real_length(a, b));
+        hash = folded(hash, cairn_real_geometric_mean(pa, pb));
+        cairn_angle_rotation(a, &c, &s);
+        hash = folded(folded(hash, c), s);
+        hash = folded(hash, cairn_angle_of(a, b));
+        hash = folded(hash, cairn_angle_radians(a));
+        hash = folded(hash, cairn_angle_from_radians(a));
+        hash = folded(hash, cairn_angle_from_motion(a, k));
+        hash = folded_wide(hash, cairn_wide_mul(k, m));
+        hash = folded_wide(hash, cairn_wide_div(k, m));
+        hash = folded_wide(hash, cairn_wide_add(k, m));
+        hash = folded_wide(hash, cairn_wide_sqrt(k));
+        hash = folded(hash, cairn_wide_scale(a, k, 0));
+        hash = folded(hash, cairn_lever_of(a, k));
+        hash = folded(hash, cairn_diffused_of(a, k).whole);
+        hash = folded(hash, (int32_t)cairn_diffused_of(a, k).fraction);
+        hash = folded(hash, cairn_offset_fraction(low, high));
+        hash = folded(hash, cairn_unit_along(a, b, &c, &s));
+        hash = folded(folded(hash, c), s);
+        hash = folded(hash, cairn_factor_inverse(pa));
+        hash = folded(hash, cairn_motion_factor(a, pb));
+    }
+    TEST_ASSERT_EQUAL_HEX32(0xFB053902u, hash);
+}
