@@ -2,18 +2,16 @@
 #include <cairn/cairn.h>
 #include <unity.h>
 
-# include "../../src/engine.h" /* the space keeps these out of the generated runner, which lies elsewhere */
-# include "../support/test_number.h"
+#include "engine.h"
+#include "test_number.h"
 
 #ifdef __arm__
-#define RANDOM_WORLDS 100
-#define STEPS 60
+#define RANDOM_WORLDS 1000
 #else
 #define RANDOM_WORLDS 10000
-#define STEPS 400
 #endif
 
-enum { BODIES = 64, ARBITERS = 400, CELLS = 1025, ENTRIES = 1024 };
+enum { STEPS = 400, BODIES = 64, ARBITERS = 400, CELLS = 1025, ENTRIES = 1024 };
 
 CAIRN_WORLD(memory, BODIES, ARBITERS);
 CAIRN_WORLD(other_memory, BODIES, ARBITERS);

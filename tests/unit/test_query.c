@@ -2,7 +2,7 @@
 #include <cairn/cairn.h>
 #include <unity.h>
 
-# include "../support/test_number.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+#include "test_number.h"
 
 enum { BODIES = 16, ARBITERS = 32 };
 
