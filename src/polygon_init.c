@@ -279,7 +279,7 @@ cairn_status cairn_polygon_init_regular(cairn_polygon *polygon, int sides, cairn
         corners.at[i].x = cairn_offset_mul(cairn_offset_from_real(radius), cosine);
         corners.at[i].y = cairn_offset_mul(cairn_offset_from_real(radius), sine);
     }
-    return put_in_order(&corners) == CAIRN_OK ? fill(polygon, &corners, centroid) : CAIRN_ERROR_SHAPE;
+    return fill(polygon, &corners, centroid); /* in order, convex and thick enough by construction */
 }
 
 /* ---- the hull of any points ---- */
