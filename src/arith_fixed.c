@@ -465,7 +465,9 @@ cairn_ratio cairn_factor_inverse(cairn_factor f)
 
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s)
 {
-    int64_t square = (int64_t)u * u + 2 * ((int64_t)g * s);
+    const int64_t most = (int64_t)1 << 61; /* beyond it the root is 0 or saturates whatever u is */
+    int64_t gain = (int64_t)g * s;
+    int64_t square = (int64_t)u * u + 2 * (gain > most ? most : gain < -most ? -most : gain);
     uint32_t speed = square > 0 ? root((uint64_t)square) : 0;
     return speed > INT32_MAX ? INT32_MAX : (int32_t)speed;
 }

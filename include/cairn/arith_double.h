@@ -74,7 +74,7 @@ static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return fabs(x); }
-static inline cairn_wide cairn_wide_from_int(int32_t x) { return x; }
+static inline cairn_wide cairn_wide_from_int(int32_t x) { return fabs((double)x); }
 static inline cairn_wide cairn_wide_from_area(cairn_area a) { return fabs(a); }
 static inline cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b) { return fabs(a + b); }
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return k; }
@@ -165,6 +165,8 @@ static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { re
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return x; }
 static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return k; }
+static inline cairn_real cairn_real_tenth(cairn_real x) { return x / 10; }
+static inline cairn_angle cairn_angle_part(cairn_angle a, cairn_unit part) { return a * part; }
 static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return x; }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return x; }
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return ldexp(x, -n); }
@@ -188,8 +190,8 @@ static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { re
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }
 static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }
 static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return a * b; }
-static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return sqrt(a * b); }
+static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return a > 0 && b > 0 ? sqrt(a * b) : 0; }
 
-static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return sqrt(a * b); }
+static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }
 
 #endif

@@ -329,9 +329,9 @@ static inline cairn_unit cairn_motion_fraction(cairn_motion part, cairn_motion w
     return cairn_offset_fraction(part < 0 ? 0 : part > whole ? whole : part, whole);
 }
 static inline cairn_motion cairn_motion_unit(cairn_motion x, cairn_unit u) { return cairn_mul32(x, u, 30); }
-/* The speed after a way s under the acceleration g: sqrt(u^2 + 2 g s), 0 where that is negative. */
+/* The speed after a way s under the acceleration g: sqrt(u^2 + 2 g s) to the nearest, 0 where that is negative; saturates. */
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s);
-/* x / f, f > 0; saturates */
+/* x / f, within 2^-31 of it and half a unit; saturates, f > 0 */
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f);
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
 

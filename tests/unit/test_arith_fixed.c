@@ -153,6 +153,15 @@ void test_sums_saturate_and_are_exact_within(void)
     }
 }
 
+void test_clamp_and_its_question_agree_with_comparisons(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = (i & 1023) == 0 ? INT32_MIN : any(), limit = i & 1 ? some() : (int32_t)(i & 2) * (INT32_MAX / 2);
+        expect(x > limit ? limit : x < -limit ? -limit : x, cairn_clamp(x, limit), x, limit);
+        expect(x <= limit && x >= -limit, cairn_real_is_within(x, limit), x, limit);
+    }
+}
+
 /* ---- cairn_real ---- */
 
 void test_real_product_is_nearest_and_saturates(void)
@@ -245,6 +254,25 @@ void test_floor_and_half_of_negatives(void)
     TEST_ASSERT_EQUAL_INT32(-2, cairn_real_floor(CAIRN_F(-1.5)));
     TEST_ASSERT_EQUAL_INT32(1, cairn_real_floor(CAIRN_F(1.5)));
     TEST_ASSERT_EQUAL_INT32(-1, cairn_real_half(-3));
+}
+
+void test_turned_real_is_nearest_and_saturates(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(3), cairn_real_turn(CAIRN_F(2), CAIRN_F(4), CAIRN_UNIT(0.5), CAIRN_UNIT(0.5)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_real_turn(INT32_MAX, INT32_MAX, CAIRN_UNIT(0.75), CAIRN_UNIT(0.75)));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_real_turn(INT32_MAX, INT32_MAX, CAIRN_UNIT(-0.75), CAIRN_UNIT(-0.75)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), y = any(), c = any() / 2, s = any() / 2;
+        expect(clamped(nearest_up((int64_t)x * c + (int64_t)y * s, ONE)), cairn_real_turn(x, y, c, s), x, y);
+    }
+}
+
+void test_tenth_of_a_real(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any();
+        expect_within(1, nearest_up(x, 10), cairn_real_tenth(x), x, 0);
+    }
 }
 
 /* ---- angles ---- */
@@ -462,6 +490,31 @@ void test_wide_of_sums_and_areas(void)
     TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(2.5), cairn_wide_to_offset(cairn_wide_from_offset(CAIRN_OFFSET(-2.5))));
 }
 
+void test_wide_determinant_is_within_half_a_unit(void)
+{
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_determinant(ONE, ONE / 2, ONE, ONE / 2)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any() / 2, b = any() / 2, c = any() / 2, d = any() / 2;
+        uint64_t exact = size64((int64_t)a * d - (int64_t)b * c);
+        cairn_wide k = cairn_wide_determinant(a, b, c, d);
+        int up = k.exponent + 60; /* of the mantissa over the exact value */
+        uint64_t given = up >= 0 ? (uint64_t)k.mantissa << up : (uint64_t)(k.mantissa >> -up);
+        uint64_t unit = up > 0 ? (uint64_t)1 << (up - 1) : 0;
+        if (!is_normal(k) || (given > exact ? given - exact : exact - given) > unit) { expect(0, k.mantissa, a, d); }
+    }
+}
+
+void test_wide_of_coefficients_and_back(void)
+{
+    TEST_ASSERT_EQUAL_INT(CAIRN_RATIO(0.75), cairn_ratio_from_wide(cairn_wide_from_ratio(CAIRN_RATIO(0.75))));
+    TEST_ASSERT_EQUAL_INT(INT16_MAX, cairn_ratio_from_wide(cairn_wide_from_int(2)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_SHARE(0.25), cairn_wide_to_share(cairn_wide_from_share(CAIRN_SHARE(0.25))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_F(1.5), cairn_wide_to_real(cairn_wide_from_factor(CAIRN_FACTOR(1.5))));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(0.25), cairn_wide_to_motion(cairn_wide_of(1, -2)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-1.5), cairn_motion_from_offset_wide(CAIRN_OFFSET(-0.5), cairn_wide_from_int(3)));
+    TEST_ASSERT_EQUAL_INT32(205887, cairn_wide_to_real(CAIRN_WIDE_PI));
+}
+
 /* x * m / 2^shift to the nearest, halves away from zero */
 static int64_t scaled(int32_t x, uint32_t m, int shift)
 {
@@ -611,6 +664,24 @@ void test_coordinate_stops_at_the_edge_of_the_world(void)
     TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, -4096));
     TEST_ASSERT_EQUAL_INT32(-INT32_MAX, x);
     TEST_ASSERT_TRUE(cairn_coordinate_move(&x, &residue, 4096));
+}
+
+void test_coordinate_shifts_by_offsets_without_loss(void)
+{
+    cairn_real x = 0;
+    cairn_residue residue = 17;
+    int64_t exact = 17;
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t by = any();
+        if (size64(exact / 64 + by) < (uint64_t)INT32_MAX * 64) {
+            exact += (int64_t)by * 64;
+            cairn_coordinate_shift(&x, &residue, by);
+            expect(exact, (int64_t)x * 4096 + residue, by, 0);
+        }
+    }
+    x = INT32_MAX - 1;
+    cairn_coordinate_shift(&x, &residue, CAIRN_OFFSET(1));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
 }
 
 void test_offset_between_coordinates_keeps_the_residues(void)
@@ -814,6 +885,67 @@ void test_products_of_ratios_and_motions(void)
     TEST_ASSERT_EQUAL_INT32(-9, cairn_motion_clamp(-10, 9));
     TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(2), cairn_motion_scale(CAIRN_MOTION(1), cairn_wide_from_int(2)));
     TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(0.5), cairn_factor_geometric_mean(CAIRN_FACTOR(0.25), CAIRN_FACTOR(1)));
+}
+
+void test_closing_speed_is_the_nearest_root(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(5), cairn_motion_closing(CAIRN_MOTION(-3), CAIRN_MOTION(4), CAIRN_MOTION(2)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_closing(CAIRN_MOTION(1), CAIRN_MOTION(-1), CAIRN_MOTION(1)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_motion_closing(INT32_MAX, INT32_MAX, INT32_MAX));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_closing(INT32_MAX, -INT32_MAX, INT32_MAX));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t u = any(), g = any() / 4, s = some() / 4;
+        int64_t square = (int64_t)u * u + 2 * (int64_t)g * s;
+        uint64_t speed = (uint64_t)cairn_motion_closing(u, g, s);
+        bool right = square <= 0 ? speed == 0 : speed == INT32_MAX ? (uint64_t)square > speed * speed - speed : is_nearest_root(speed, (uint64_t)square);
+        if (!right) { expect(0, (int64_t)speed, u, g); }
+    }
+}
+
+void test_motion_over_a_factor(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-0.5), cairn_motion_divide(CAIRN_MOTION(-1), CAIRN_FACTOR(2)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_motion_divide(CAIRN_MOTION(4), CAIRN_FACTOR(0.25)));
+    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, cairn_motion_divide(CAIRN_MOTION(-4), CAIRN_FACTOR(0.25)));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any(), f = some();
+        expect_within(1, clamped(nearest_up((int64_t)x * (1 << 20), f)), cairn_motion_divide(x, f), x, f);
+    }
+}
+
+void test_part_of_a_way_is_held_between_none_and_all(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_fraction(-5, 10));
+    TEST_ASSERT_EQUAL_INT32(ONE, cairn_motion_fraction(11, 10));
+    TEST_ASSERT_EQUAL_INT32(ONE / 2, cairn_motion_fraction(5, 10));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_MOTION(-0.5), cairn_motion_unit(CAIRN_MOTION(-1), ONE / 2));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_RADIANS(0.5), cairn_angle_part(CAIRN_RADIANS(1), ONE / 2));
+    TEST_ASSERT_EQUAL_INT32(-2, cairn_motion_half(-3));
+}
+
+void test_products_of_shares_and_factors(void)
+{
+    TEST_ASSERT_EQUAL_INT32(CAIRN_SHARE(0.125), cairn_share_mul(CAIRN_SHARE(0.5), CAIRN_SHARE(0.25)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(3), cairn_factor_mul(CAIRN_FACTOR(2), CAIRN_FACTOR(1.5)));
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_factor_mul(CAIRN_FACTOR(2000), CAIRN_FACTOR(2)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_FACTOR(1), cairn_factor_square(16384, 0));
+    TEST_ASSERT_INT32_WITHIN(CAIRN_FACTOR(0.0001), CAIRN_FACTOR(1), cairn_factor_square(9830, -13107));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t share = any() & (ONE - 1), motion = any();
+        expect(nearest_up(share, (int64_t)1 << (i % 31)), cairn_share_shift(share, i % 31), share, i % 31);
+        expect(nearest_up((int64_t)motion * share, ONE), cairn_motion_share(motion, share), motion, share);
+        expect(nearest_up(motion, 2), cairn_motion_share(motion, CAIRN_SHARE(0.5)), motion, 0);
+    }
+}
+
+void test_area_of_a_parallelogram_is_exact(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t ax = any() / 2, ay = any() / 2, bx = any() / 2, by = any() / 2;
+        if (cairn_offset_cross(ax, ay, bx, by) != (int64_t)ax * by - (int64_t)ay * bx) { expect(0, 1, ax, by); }
+        if (cairn_offset_cross(ax, ay, bx, by) != -cairn_offset_cross(bx, by, ax, ay)) { expect(0, 2, ax, by); }
+    }
+    TEST_ASSERT_TRUE(cairn_offset_cross(CAIRN_OFFSET(2), 0, 0, CAIRN_OFFSET(3)) == (cairn_area)6 << 44);
 }
 
 /* ---- the same bits everywhere ---- */
