@@ -10,6 +10,7 @@ set(CAIRN_SOURCES
     src/collide_polygon.c
     src/contact.c
     src/debug_draw.c
+    src/continuous.c
     src/hash.c
     src/material.c
     src/motion.c

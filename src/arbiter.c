@@ -95,23 +95,34 @@ static void turn_round(cairn_manifold *manifold, cairn_offset x, cairn_offset y)
     }
 }
 
-void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
+void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_offset x = cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue);
-    cairn_offset y = cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue);
     uint8_t rank_a = a->shape->kind->rank, rank_b = b->shape->kind->rank;
+    cairn_offset x = b->x - a->x, y = b->y - a->y;
     if (rank_a <= rank_b) {
-        cairn_pose pa = pose_of(a, 0, 0), pb = pose_of(b, x, y);
-        b->shape->kind->collide[rank_a](&pa, &pb, margin, out);
+        b->shape->kind->collide[rank_a](a, b, margin, out);
     } else {
-        cairn_pose pb = pose_of(b, 0, 0), pa = pose_of(a, -x, -y);
-        a->shape->kind->collide[rank_b](&pb, &pa, margin, out);
+        cairn_pose first = *b, second = *a;
+        first.x = first.y = 0;
+        second.x = -x;
+        second.y = -y;
+        a->shape->kind->collide[rank_b](&first, &second, margin, out);
         turn_round(out, x, y);
     }
+    out->x = x;
+    out->y = y;
+    out->time = 0;
 }
 
-/* May these two meet at all? */
-static bool may_meet(const cairn_world *world, uint16_t a, uint16_t b)
+void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
+{
+    cairn_pose pa = pose_of(a, 0, 0);
+    cairn_pose pb = pose_of(b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
+                            cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    cairn_poses_collide(&pa, &pb, margin, out);
+}
+
+bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
 {
     const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
@@ -131,7 +142,7 @@ static bool any_penetrates(const cairn_manifold *manifold)
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
 {
     world->stats.pairs++;
-    if (!may_meet(world, a, b)) {
+    if (!cairn_bodies_may_meet(world, a, b)) {
         return;
     }
     /* The body that does not move, else the one with the lower place, comes first. */
@@ -143,7 +154,11 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     }
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
-    cairn_bodies_collide(body_a, body_b, cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b), &manifold);
+    if ((body_a->flags | body_b->flags) & CAIRN_BODY_FAST) {
+        world->continuous->meet(world, body_a, body_b, &manifold);
+    } else {
+        cairn_bodies_collide(body_a, body_b, cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b), &manifold);
+    }
     if (manifold.count == 0) {
         return;
     }

@@ -9,7 +9,7 @@ static void touch(cairn_offset r, cairn_offset separation, cairn_unit nx, cairn_
     out->normal_y = ny;
     out->points[0].x = cairn_offset_mul(middle, nx);
     out->points[0].y = cairn_offset_mul(middle, ny);
-    out->points[0].separation = separation;
+    out->points[0].separation = out->separation = separation;
     out->points[0].feature = (uint16_t)feature;
     out->count = 1;
 }

@@ -133,6 +133,7 @@ void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offs
     if (from_b > margin) {
         return;
     }
+    out->separation = from_a > from_b ? from_a : from_b;
     if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
         clip(&hull_b, edge_b, &hull_a, true, margin, out);
     } else {

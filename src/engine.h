@@ -33,6 +33,7 @@ enum {
     CAIRN_BODY_RESTLESS = 1 << 12, /* heads a group that may not fall asleep yet */
     CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
     CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
+    CAIRN_BODY_FAST = 1 << 15,    /* moves by more than a quarter of its size in this step */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
 };
 
@@ -119,8 +120,11 @@ typedef struct cairn_manifold_point {
 
 typedef struct cairn_manifold {
     cairn_unit normal_x, normal_y; /* from the first to the second body */
+    cairn_offset separation;       /* along the normal; at most the distance, where the shapes are apart */
     int count;
     cairn_manifold_point points[2];
+    cairn_offset x, y; /* the second body's centre of mass as seen from the first one's, at the time: */
+    cairn_unit time;   /* of the step, 0 for now */
 } cairn_manifold;
 
 /* The second body's face is taken as reference only if it separates by this much more: keeps the choice from flickering. */
@@ -143,6 +147,8 @@ void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offs
 void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull);
 
 /* ---- arbiter.c ---- */
+/* May these two collide at all, by kind, layers and springs? */
+bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b);
 /* Both bodies come within reach of one another's boxes: refresh their arbiter. Each pair once a step. */
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
 /* Before the pairs: nothing is fresh yet. */
@@ -151,6 +157,8 @@ void cairn_arbiters_begin(cairn_world *world);
 void cairn_arbiters_sweep(cairn_world *world);
 /* Forget the arbiters of a body and wake its partners. */
 void cairn_arbiters_remove_body(cairn_world *world, uint16_t body);
+/* The contact of two shapes in the places given, whichever of them has the higher rank. */
+void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 /* The manifold of two bodies where they are now. */
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
 
@@ -163,6 +171,16 @@ void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor);
 
 static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
 
+/* ---- continuous.c, through the class ---- */
+struct cairn_continuous_class {
+    /* The contact of two bodies, one of them fast: as they will meet in this step, if they do. */
+    void (*meet)(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out);
+    /* Cut the displacements of fast bodies short where they would carry a body's core into another one. */
+    void (*clip)(cairn_world *world);
+};
+/* Does this step's motion carry the body further than a quarter of its smallest half size? */
+bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
+
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
 /* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
@@ -174,10 +192,10 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
 #define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.8)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
-#define CAIRN_SWEEP_SPEED CAIRN_MOTION(1.5)
-#define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.65)
-#define CAIRN_SWEEP_SPEED_WIDE cairn_wide_div(cairn_wide_from_int(3), cairn_wide_from_int(2))
-#define CAIRN_SWEEP_SPIN_WIDE cairn_wide_div(cairn_wide_from_int(13), cairn_wide_from_int(20))
+#define CAIRN_SWEEP_SPEED CAIRN_MOTION(0.93)
+#define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.93)
+#define CAIRN_SWEEP_SPEED_WIDE cairn_wide_div(cairn_wide_from_int(93), cairn_wide_from_int(100))
+#define CAIRN_SWEEP_SPIN_WIDE CAIRN_SWEEP_SPEED_WIDE
 #define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(13576), cairn_wide_from_int(100000))
 
 /* ---- spring.c, through the class so that worlds without springs do not link it ---- */

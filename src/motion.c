@@ -23,6 +23,12 @@ cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
     return CAIRN_REACH + speed * world->substeps;
 }
 
+bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body)
+{
+    cairn_offset way = cairn_body_reach(world, body) - CAIRN_REACH;
+    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(body->shape->kind->inradius(body->shape));
+}
+
 void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body)
 {
     cairn_real reach = cairn_real_above_offset(cairn_body_reach(world, body));

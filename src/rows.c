@@ -53,13 +53,24 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     arbiter->count = (uint8_t)manifold->count;
 }
 
+/* How much nearer the points of a row come until the time of a meeting: the separation now is so much larger. */
+static cairn_offset way_until(const cairn_world *world, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter,
+                              const cairn_row *row, cairn_unit time)
+{
+    if (time == 0) {
+        return 0;
+    }
+    cairn_motion u = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, arbiter->normal_x, arbiter->normal_y)
+                   + cairn_motion_lever(b->w, row->lever_b) - cairn_motion_lever(a->w, row->lever_a);
+    return u < 0 ? cairn_offset_mul(cairn_offset_from_motion(-u) * world->substeps, time) : 0;
+}
+
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_unit nx = manifold->normal_x, ny = manifold->normal_y;
-    cairn_offset bx = cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue);
-    cairn_offset by = cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue);
-    cairn_offset b_height = cairn_offset_dot(bx, by, nx, ny), b_arm = cairn_offset_dot(bx, by, -ny, nx);
+    cairn_offset b_height = cairn_offset_dot(manifold->x, manifold->y, nx, ny);
+    cairn_offset b_arm = cairn_offset_dot(manifold->x, manifold->y, -ny, nx);
     cairn_factor linear = cairn_factor_from_share((a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_a)
                                                   + (b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_b));
 
@@ -73,9 +84,9 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
         cairn_offset arm = cairn_offset_dot(point->x, point->y, -ny, nx);
         cairn_offset here = cairn_offset_dot(point->x, point->y, nx, ny);
         height = i == 0 ? here : height + cairn_offset_half(here - height);
-        row->gap = gap_of(world, point->separation);
         row->lever_a = lever(a, -arm);
         row->lever_b = lever(b, b_arm - arm);
+        row->gap = gap_of(world, point->separation + way_until(world, a, b, arbiter, row, manifold->time));
         row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
         row->soft_mass = cairn_ratio_mul(row->mass, CAIRN_SOFT_MASS);
     }

@@ -19,6 +19,11 @@ static void measure(const cairn_shape *shape, cairn_mass_data *mass)
         cairn_wide_div(cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h)), cairn_wide_from_int(12)));
 }
 
+static cairn_real inradius(const cairn_shape *shape)
+{
+    return cairn_real_half(shape->size.x < shape->size.y ? shape->size.x : shape->size.y);
+}
+
 static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
@@ -57,5 +62,5 @@ static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, measure, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
+    1, check, measure, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
 };

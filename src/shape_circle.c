@@ -15,6 +15,8 @@ static void measure(const cairn_shape *shape, cairn_mass_data *mass)
     mass->gyration = cairn_wide_sqrt(cairn_wide_div(r2, cairn_wide_from_int(2)));
 }
 
+static cairn_real inradius(const cairn_shape *shape) { return shape->size.x; }
+
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
 {
     (void)c;
@@ -27,6 +29,7 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     cairn_offset ra = cairn_offset_from_real(a->shape->size.x), rb = cairn_offset_from_real(b->shape->size.x);
     cairn_offset reach = ra + rb + margin;
     out->count = 0;
+    out->separation = margin;
     if (b->x > reach || -b->x > reach || b->y > reach || -b->y > reach) {
         return;
     }
@@ -35,7 +38,7 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
         return;
     }
     cairn_manifold_point *point = &out->points[0];
-    point->separation = distance - ra - rb;
+    point->separation = out->separation = distance - ra - rb;
     cairn_offset middle = ra + cairn_offset_half(point->separation);
     point->x = cairn_offset_mul(middle, out->normal_x);
     point->y = cairn_offset_mul(middle, out->normal_y);
@@ -43,4 +46,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     out->count = 1;
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, measure, extents, NULL, { cairn_collide_circles, NULL, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, measure, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };

@@ -9,6 +9,18 @@ static cairn_status check(const cairn_shape *shape)
 
 static void measure(const cairn_shape *shape, cairn_mass_data *mass) { *mass = shape->polygon->mass; }
 
+/* The nearest edge. */
+static cairn_real inradius(const cairn_shape *shape)
+{
+    const cairn_polygon *polygon = shape->polygon;
+    cairn_offset least = CAIRN_OFFSET_MAX;
+    for (int i = 0; i < polygon->count; i++) {
+        cairn_offset distance = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, polygon->normal[i].x, polygon->normal[i].y);
+        least = distance < least ? distance : least;
+    }
+    return cairn_real_from_offset(least);
+}
+
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
 {
     const cairn_polygon *polygon = shape->polygon;
@@ -38,5 +50,5 @@ static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_polygon_class = {
-    2, check, measure, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons, cairn_collide_polygons }
+    2, check, measure, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons, cairn_collide_polygons }
 };

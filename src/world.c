@@ -43,7 +43,8 @@ static void rescale(cairn_world *world, cairn_wide old)
     }
 }
 
-cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver)
+cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
+                                   const struct cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
         || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
@@ -62,6 +63,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
         world->order[i] = i;
     }
     world->solver = solver;
+    world->continuous = continuous;
     world->broad = &cairn_broad_pairs;
     world->rate = CAIRN_F(60);
     world->push_out = CAIRN_F(3);
@@ -74,11 +76,17 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
 static void refresh_extents(cairn_world *world)
 {
     world->stats.awake = 0;
+    world->fast = 0;
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body)) {
             world->stats.awake++;
             cairn_body_refresh_extents(world, body);
+            body->flags &= (uint16_t)~CAIRN_BODY_FAST;
+            if (world->continuous != NULL && cairn_body_is_fast(world, body)) {
+                body->flags |= CAIRN_BODY_FAST;
+                world->fast++;
+            }
         }
     }
 }
@@ -106,6 +114,9 @@ cairn_status cairn_world_step(cairn_world *world)
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;
     world->solver->solve(world);
+    if (world->fast != 0) {
+        world->continuous->clip(world);
+    }
     cairn_bodies_finish(world);
     if (world->sleep != NULL) {
         world->sleep->settle(world);

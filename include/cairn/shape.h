@@ -35,6 +35,8 @@ typedef struct cairn_shape_class {
     uint8_t rank;
     cairn_status (*check)(const struct cairn_shape *shape);
     void (*measure)(const struct cairn_shape *shape, cairn_mass_data *mass);
+    /* Radius of a disc about the centre of mass that the shape covers. */
+    cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
     /* The outline about the centre of mass, rotated by (c, s); null for circles. */

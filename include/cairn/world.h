@@ -28,6 +28,10 @@ typedef struct cairn_broad_class {
     void (*find_pairs)(struct cairn_world *world);
 } cairn_broad_class;
 
+/* What keeps fast bodies from passing through others: see continuous.c. */
+struct cairn_continuous_class;
+extern const struct cairn_continuous_class cairn_continuous;
+
 /* What sleep adds to the step. */
 typedef struct cairn_sleep_class {
     bool (*wake)(struct cairn_world *world);   /* what touches something awake; true if anything woke */
@@ -59,6 +63,7 @@ typedef struct cairn_world {
     const cairn_broad_class *broad;
     const cairn_bounce_class *bounce;
     const cairn_sleep_class *sleep;
+    const struct cairn_continuous_class *continuous;
     struct cairn_spring_pool *springs;
     struct cairn_quadtree *tree;
 
@@ -67,6 +72,7 @@ typedef struct cairn_world {
     cairn_real slop, push_out;
     uint8_t substeps, passes;
     uint8_t locked;
+    uint16_t fast; /* bodies in this step */
     int8_t error;
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */
@@ -102,13 +108,17 @@ typedef struct cairn_world_storage {
 
 extern const cairn_solver_class cairn_solver_soft;
 
-/* Make an empty world with a solver of your choice. Null if storage or solver is null or a capacity is zero. */
-cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver);
+/*
+ * Make an empty world with a solver of your choice, and with continuous collision (&cairn_continuous) or, where nothing
+ * is fast, without (null). Null if storage or solver is null or a capacity is zero.
+ */
+cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
+                                   const struct cairn_continuous_class *continuous);
 
 /* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
 {
-    return cairn_world_init_with(storage, gravity, &cairn_solver_soft);
+    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous);
 }
 
 /* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */

@@ -1,0 +1,209 @@
+/*
+ * Continuous collision, for bodies that move by more than a quarter of their size in a step.
+ *
+ * Before the solver: two bodies that will meet are given the contact of the moment in which they meet, found by
+ * conservative advancement along the separating axis (Mirtich). Its rows close at the right time with the right normal and levers, so that
+ * restitution and sliding come out as they should, and a body that will miss gets no contact at all.
+ * After the solver: a displacement that would carry a body's core, a disc of nine tenths of its inner radius, into another body is cut
+ * short. That catches whatever the step did not foresee, as a third body behind a bounce.
+ */
+#include "engine.h"
+
+#define ADVANCES 24
+/* A distance that counts as touching. */
+#define TOUCH CAIRN_OFFSET(0.004)
+/* Far beyond any motion of a step. */
+#define ANY_DISTANCE CAIRN_OFFSET(100)
+
+/* Where a body goes in this step. */
+typedef struct course {
+    const cairn_body *body;
+    cairn_offset x, y;   /* at the start, relative to the first body's start */
+    cairn_offset dx, dy; /* in the step */
+    cairn_angle turn;
+    cairn_offset sweep;  /* bound on how far turning moves any of its surface */
+} course;
+
+static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
+
+/* Surfaces lie within 2 sqrt(2) radii of gyration of the centre; a circle's does not move by turning. */
+static cairn_offset sweep_of(const cairn_body *body, cairn_motion w)
+{
+    return body->shape->kind->outline == NULL ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
+}
+
+/* By the velocities of the step's start. */
+static course ahead(const cairn_world *world, const cairn_body *body, cairn_offset x, cairn_offset y)
+{
+    course c;
+    c.body = body;
+    c.x = x;
+    c.y = y;
+    c.dx = cairn_offset_from_motion(body->vx) * world->substeps;
+    c.dy = cairn_offset_from_motion(body->vy) * world->substeps;
+    c.turn = cairn_angle_from_motion(body->w * world->substeps, body->inverse_gyration);
+    c.sweep = sweep_of(body, body->w) * world->substeps;
+    return c;
+}
+
+static cairn_pose pose_at(const course *c, cairn_unit time)
+{
+    cairn_pose pose;
+    pose.shape = c->body->shape;
+    pose.x = c->x + cairn_offset_mul(c->dx, time);
+    pose.y = c->y + cairn_offset_mul(c->dy, time);
+    pose.c = c->body->cosine;
+    pose.s = c->body->sine;
+    if (c->turn != 0) {
+        cairn_angle_rotation(cairn_angle_add(c->body->angle, cairn_angle_part(c->turn, time)), &pose.c, &pose.s);
+    }
+    return pose;
+}
+
+/* Advance until the two touch; false if they do not in this step. `out` then holds the contact. */
+static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
+{
+    cairn_unit time = 0;
+    for (int i = 0; i < ADVANCES; i++) {
+        cairn_pose pa = pose_at(a, time), pb = pose_at(b, time);
+        cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
+        /* The solver takes points relative to the first body's centre. */
+        if (out->separation <= TOUCH + TOUCH / 2 && out->count > 0) {
+            out->time = time;
+            return true;
+        }
+        cairn_offset closing = a->sweep + b->sweep - cairn_offset_dot(b->dx - a->dx, b->dy - a->dy, out->normal_x, out->normal_y);
+        cairn_offset way = out->separation > 2 * TOUCH ? out->separation - TOUCH : TOUCH;
+        if (closing <= 0 || way > cairn_offset_mul(closing, CAIRN_UNIT(1) - time)) {
+            return false;
+        }
+        time += cairn_offset_fraction(way, closing);
+    }
+    out->time = time;
+    return out->count > 0;
+}
+
+static void meet(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out)
+{
+    course ca = ahead(world, a, 0, 0);
+    course cb = ahead(world, b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
+                      cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    if (!find_meeting(&ca, &cb, out)) {
+        out->count = 0;
+        return;
+    }
+    /* Points are relative to the first body's centre at the time of the meeting. */
+    cairn_offset x = cairn_offset_mul(ca.dx, out->time), y = cairn_offset_mul(ca.dy, out->time);
+    for (int i = 0; i < out->count; i++) {
+        out->points[i].x -= x;
+        out->points[i].y -= y;
+    }
+}
+
+/* ---- after the solver ---- */
+
+/* By the displacements that the solver arrived at. */
+static course behind(const cairn_body *body, cairn_offset x, cairn_offset y)
+{
+    course c;
+    c.body = body;
+    c.x = x;
+    c.y = y;
+    c.dx = cairn_offset_from_motion(body->dx);
+    c.dy = cairn_offset_from_motion(body->dy);
+    c.turn = cairn_angle_from_motion(body->dw, body->inverse_gyration);
+    c.sweep = sweep_of(body, body->dw);
+    return c;
+}
+
+/* The distance of a point at (0, 0) from a shape; negative inside. */
+static void approach_point(const cairn_pose *obstacle, cairn_manifold *out)
+{
+    cairn_shape point;
+    cairn_pose at;
+    point.kind = NULL; /* only its radius is asked for */
+    point.size = cairn_vec2_of(0, 0);
+    point.polygon = NULL;
+    at.shape = &point;
+    at.x = at.y = 0;
+    at.c = CAIRN_UNIT(1);
+    at.s = 0;
+    obstacle->shape->kind->collide[0](&at, obstacle, ANY_DISTANCE, out);
+}
+
+/* How far into the step the core comes before it touches the other body; 1 if it does not. */
+static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
+{
+    course path = behind(fast, 0, 0);
+    course obstacle = behind(other, cairn_coordinate_offset(fast->x, fast->x_residue, other->x, other->x_residue),
+                             cairn_coordinate_offset(fast->y, fast->y_residue, other->y, other->y_residue));
+    cairn_offset core = cairn_offset_from_real(fast->shape->kind->inradius(fast->shape));
+    cairn_unit time = 0;
+    for (int i = 0; i < ADVANCES; i++) {
+        cairn_manifold contact;
+        cairn_pose pose = pose_at(&obstacle, time);
+        pose.x -= cairn_offset_mul(path.dx, time);
+        pose.y -= cairn_offset_mul(path.dy, time);
+        approach_point(&pose, &contact);
+        if (i == 0) { /* nine tenths of the inner radius, or of the distance of a body that is pressed in further */
+            core = contact.separation < core ? contact.separation : core;
+            core = cairn_offset_mul(core, CAIRN_UNIT(0.9));
+        }
+        if (core <= 0) {
+            return CAIRN_UNIT(1); /* its centre is inside already: the solver pushes it out */
+        }
+        cairn_offset way = contact.separation - core;
+        if (way <= TOUCH / 16) {
+            return time;
+        }
+        cairn_offset closing = obstacle.sweep - cairn_offset_dot(obstacle.dx - path.dx, obstacle.dy - path.dy, contact.normal_x, contact.normal_y);
+        if (closing <= 0 || way >= cairn_offset_mul(closing, CAIRN_UNIT(1) - time)) {
+            return CAIRN_UNIT(1);
+        }
+        time += cairn_offset_fraction(way, closing);
+    }
+    return time;
+}
+
+static void cut_short(cairn_body *body, cairn_unit time)
+{
+    body->dx = cairn_motion_unit(body->dx, time);
+    body->dy = cairn_motion_unit(body->dy, time);
+    body->dw = cairn_motion_unit(body->dw, time);
+}
+
+static void clip_body(cairn_world *world, uint16_t index)
+{
+    cairn_body *fast = &world->bodies[index], *nearest = NULL;
+    cairn_unit time = CAIRN_UNIT(1);
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *other = &world->bodies[i];
+        if (i != index && (other->flags & (CAIRN_BODY_USED | CAIRN_BODY_SENSOR)) == CAIRN_BODY_USED && cairn_boxes_overlap(fast, other)
+            && cairn_bodies_may_meet(world, index, i)) {
+            cairn_unit until = core_time(fast, other);
+            if (until < time) {
+                time = until;
+                nearest = other;
+            }
+        }
+    }
+    if (nearest != NULL) {
+        cut_short(fast, time);
+        if (cairn_body_is_dynamic(nearest)) {
+            cut_short(nearest, time); /* else it would go on over the body that waits for it */
+        }
+    }
+}
+
+static void clip(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        unsigned flags = world->bodies[i].flags;
+        if ((flags & CAIRN_BODY_FAST) && !(flags & CAIRN_BODY_SENSOR) && cairn_body_is_dynamic(&world->bodies[i])
+            && cairn_body_is_active(&world->bodies[i])) {
+            clip_body(world, i);
+        }
+    }
+}
+
+const struct cairn_continuous_class cairn_continuous = { meet, clip };
