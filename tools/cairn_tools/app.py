@@ -23,6 +23,8 @@ from . import bench as bench_module
 from . import compare as compare_module
 from . import draw, engine, scene
 from .errors import UserError
+from .stability import command as stability_module
+from .stability import report as stability_report
 from .trajectory import Trajectory
 
 out = Console()
@@ -39,6 +41,9 @@ Core = Enum("Core", {name: name for name in engine.CORES}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
 Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 
+# Options of a verb that take several values at once.
+SEVERAL = {"bench": {"--core", "--scene"}, "stability": {"--case", "--engine", "--solver"}}
+
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
@@ -49,7 +54,8 @@ PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes o
 def main() -> NoReturn:
     """Runs the command; what is wrong with its input is said in one line, with exit code 2."""
     try:
-        code = app(prog_name="cairn", args=_spread(sys.argv[1:], {"--core", "--scene"}), standalone_mode=False)
+        arguments = _spread(sys.argv[1:], SEVERAL.get(sys.argv[1], set()) if len(sys.argv) > 1 else set())
+        code = app(prog_name="cairn", args=arguments, standalone_mode=False)
     except typer.Exit as end:
         code = end.exit_code
     except (UserError, typer.TyperException) as error:
@@ -188,6 +194,30 @@ def bench(
         counts = (result.mean_instructions, result.worst_instructions, result.worst_instructions_from_start)
         grid.add_row(result.scene, result.core, *(f"{count:,.0f}" for count in counts))
     out.print(grid)
+
+
+@app.command()
+def stability(
+    quick: Annotated[bool, typer.Option("--quick", help="Only the quick cases.")] = False,
+    long: Annotated[bool, typer.Option("--long", help="Only the long ones.")] = False,
+    case: Annotated[list[str] | None, typer.Option(help="Names of cases; * stands for anything.")] = None,
+    arithmetic: Annotated[list[Arithmetic] | None, typer.Option("--engine", help="Default: q16 f64.")] = None,
+    solver: Annotated[list[Solver] | None, typer.Option(help="Default: soft; slides beside it where it falls.")] = None,
+    workers: Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes.")] = stability_module.WORKERS,
+    as_json: JsonOption = False,
+) -> None:
+    """Stiff and extreme cases, one verdict a row; exit code 1 if one falls short."""
+    part = "quick" if quick and not long else "long" if long and not quick else "all"
+    wished = ([value.value for value in values or ()] for values in (arithmetic, solver))
+    jobs = stability_module.jobs(part, case or [], *wished)
+    with _working("stability") as say:
+        results = list(stability_module.results(jobs, workers, say))
+    if as_json:
+        print(stability_module.as_json(results))
+    else:
+        stability_report.show(results, out)
+    if not all(result.ok for result in results if result.decides):
+        raise typer.Exit(1)
 
 
 @app.command("table")

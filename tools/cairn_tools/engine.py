@@ -125,6 +125,14 @@ def host_program(preset: str, name: str) -> Path:
     return BUILDS / preset / "tools" / "runner" / name
 
 
+def host_library(preset: str) -> Path:
+    """The engine as a shared library for cairn_tools.host, built where it is not up to date."""
+    _configure(preset)
+    with _lock(preset):
+        _check_build(_cmake("--build", str(BUILDS / preset), "--target", "cairn-shared"))
+    return BUILDS / preset / "tools" / "host" / "libcairn-shared.so"
+
+
 def _configure(preset: str) -> None:
     with _lock(preset):
         if not (BUILDS / preset / "build.ninja").is_file():

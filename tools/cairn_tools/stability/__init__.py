@@ -1,0 +1,1 @@
+"""The stiff and extreme cases: `tools/cairn stability`. See docs/STABILITY.md."""

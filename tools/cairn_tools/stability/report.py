@@ -1,0 +1,104 @@
+"""Results as a table for people and as records for programs."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from .cases import CASES
+from .model import Figure, Result
+
+# From metres and kin to what reads well; the least figure that is shown in a unit.
+_SMALLER = {"m": ("mm", 1e3), "m/s": ("mm/s", 1e3)}
+
+
+def shown(value: float, unit: str) -> str:
+    if unit in _SMALLER and abs(value) < 0.1:
+        unit, factor = _SMALLER[unit]
+        value *= factor
+    if unit == "%":
+        value *= 100
+    return f"{value:.4g}{'' if unit == '%' else ' ' if unit else ''}{unit}"
+
+
+def _text(figure: Figure) -> str:
+    """The figure and its target; what falls short in red, and with a sign for those who see no colour."""
+    text = f"{figure.what} {shown(figure.value, figure.unit)} {'>=' if figure.least else '<='} "
+    text += shown(figure.limit, figure.unit)
+    if figure.stretch:
+        return f"({text})" if figure.ok else f"[yellow](! {text})[/]"
+    return text if figure.ok else f"[red]! {text}[/]"
+
+
+def verdict(result: Result) -> str:
+    if result.error:
+        return "[red]breaks"
+    if result.ok:
+        return "[green]holds"
+    return "[red]falls short" if result.decides else "[yellow]falls"
+
+
+def table(results: list[Result]) -> Table:
+    grid = Table(
+        title="Stiff and extreme cases",
+        caption="! short of its target; in brackets: a stretch target, which does not decide",
+        box=SIMPLE_HEAD,
+    )
+    grid.add_column("case", no_wrap=True)
+    grid.add_column("engine", no_wrap=True)
+    grid.add_column("verdict", no_wrap=True)
+    grid.add_column("figures and targets")
+    grid.add_column("other engines")
+    grid.add_column("s", justify="right", no_wrap=True)
+    for result in results:
+        engine = result.engine if result.decides else f"{result.engine} {result.solver}"
+        figures = "; ".join(
+            [*map(_text, result.figures), *([f"[red]{escape(result.error)}[/]"] if result.error else [])]
+        )
+        grid.add_row(result.case, engine, verdict(result), figures, CASES[result.case].peers, f"{result.seconds:.1f}")
+    return grid
+
+
+def record(result: Result) -> dict[str, Any]:
+    entry = CASES[result.case]
+    figures = [{**asdict(figure), "value": _json(figure.value), "ok": figure.ok} for figure in result.figures]
+    return {
+        "case": result.case,
+        "row": entry.row,
+        "engine": result.engine,
+        "solver": result.solver,
+        "ok": result.ok,
+        "decides": result.decides,
+        "figures": figures,
+        "error": result.error,
+        "other_engines": entry.peers,
+        "seconds": round(result.seconds, 3),
+    }
+
+
+def _json(value: float) -> float | str:
+    """JSON has no infinity and no NaN."""
+    return value if abs(value) < float("inf") else str(value)
+
+
+def closing(results: list[Result]) -> str:
+    """One line: how many of the deciding rows hold."""
+    deciding = [result for result in results if result.decides]
+    held = sum(result.ok for result in deciding)
+    line = f"{held} of {len(deciding)} rows hold"
+    baseline = [result for result in results if not result.decides]
+    if baseline:
+        line += f"; under the slides' scheme {sum(not result.ok for result in baseline)} of {len(baseline)} fall"
+    return line
+
+
+def show(results: list[Result], console: Console) -> None:
+    # Into a file there is no width to keep to.
+    wide = console if console.is_terminal else Console(width=180)
+    wide.print(table(results))
+    wide.print(closing(results))
