@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from . import engine, geometry
+from . import scene as scene_model
 from .engine import EngineError
 from .geometry import Point
 from .scene import Scene
@@ -331,8 +332,14 @@ def _scene_material(world: World, scene: Scene, name: str) -> int:
     return world.material(m.static_friction, m.kinetic_friction, m.restitution, m.restitution_threshold)
 
 
-def _scene_shape(world: World, shape: Any) -> Shape:
-    if shape.kind == "polygon":
-        return world.polygon(shape.corners)
-    sizes = (int(shape.size[0]), shape.size[1]) if shape.kind == "regular" else shape.size
-    return getattr(world, shape.kind)(*sizes)
+def _scene_shape(world: World, shape: scene_model.Shape) -> Shape:
+    match shape.kind:
+        case "circle":
+            return world.circle(shape.radius)
+        case "box":
+            (left, low), (right, high) = shape.corners[0], shape.corners[2]
+            return world.box(right - left, high - low)
+        case "regular":
+            return world.regular(len(shape.corners), shape.reach)
+        case _:
+            return world.polygon(shape.corners)
