@@ -12,6 +12,7 @@ from dataclasses import asdict, replace
 from enum import Enum
 from pathlib import Path
 from statistics import mean
+from time import monotonic
 from typing import Annotated, Any, NoReturn
 
 import typer
@@ -22,6 +23,7 @@ from rich.table import Table
 from . import bench as bench_module
 from . import compare as compare_module
 from . import draw, engine, scene
+from . import golden as golden_module
 from .errors import UserError
 from .stability import command as stability_module
 from .stability import report as stability_report
@@ -39,10 +41,11 @@ app = typer.Typer(
 Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
 Core = Enum("Core", {name: name for name in engine.CORES}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
+GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGETS}, type=str)
 Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 
 # Options of a verb that take several values at once.
-SEVERAL = {"bench": {"--core", "--scene"}, "stability": {"--case", "--engine", "--solver"}}
+SEVERAL = {"bench": {"--core", "--scene"}, "golden": {"--targets"}, "stability": {"--case", "--engine", "--solver"}}
 
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
@@ -217,6 +220,44 @@ def stability(
     else:
         stability_report.show(results, out)
     if not all(result.ok for result in results if result.decides):
+        raise typer.Exit(1)
+
+
+@app.command()
+def golden(
+    targets: Annotated[
+        list[GoldenTarget] | None, typer.Option(help=f"Default: {' '.join(golden_module.EVERY_TIME)}.")
+    ] = None,
+    write: Annotated[
+        str | None, typer.Option(metavar="REASON", help="Record the host's hashes, the reason in CHANGELOG.md.")
+    ] = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Hold every scene to the same state after 600 steps, on all compilers and cores, and to the one on record."""
+    started = monotonic()
+    with _working("golden hashes") as say:
+        if write is not None:
+            changed = golden_module.write(write, say)
+            print("the hashes and CHANGELOG.md are written" if changed else "the hashes are those on record")
+            return
+        troubles = golden_module.record_troubles()
+        chosen = [target.value for target in targets] if targets else list(golden_module.EVERY_TIME)
+        results = golden_module.check(chosen, say)
+    failed = [result for result in results if not result.passed]
+    if as_json:
+        print(json.dumps({"record": troubles, "results": [asdict(result) for result in results]}, indent=2))
+    else:
+        grid = Table("target", "equal", "different", title=f"Hashes after {golden_module.STEPS} steps")
+        for target, own in golden_module.by_target(results):
+            equal = sum(result.passed for result in own)
+            grid.add_row(target, str(equal), str(len(own) - equal))
+        out.print(grid)
+        for line in [*troubles, *map(str, failed)]:
+            print(line)
+        # The record's own check is one more; tools/test reads this line.
+        bad = len(failed) + bool(troubles)
+        print(f"{len(results) + 1 - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
+    if failed or troubles:
         raise typer.Exit(1)
 
 
