@@ -26,5 +26,6 @@ set(CAIRN_SOURCES
     src/solver_slides.c
     src/solver_soft.c
     src/spring.c
+    src/spring_solve.c
     src/world.c
 )

@@ -186,6 +186,8 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d) { return d->whole; }
 static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k) { return s * j * k; }
+static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return x; }
+static inline cairn_factor cairn_factor_reciprocal(cairn_factor f) { return 1 / f; }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return a * b; }
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }
 static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }

@@ -367,10 +367,16 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d)
 static inline cairn_factor cairn_factor_from_real(cairn_real x) { return (cairn_factor)((uint32_t)cairn_clamp(x, 134217727) << 4); }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return (s + 512) >> 10; }
 /* s * j * k: how much one unit of impulse along a row with levers j, k changes the row's velocity through the spin.
-   Within 0.8 units. */
+   Within 0.55 units. */
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k)
 {
     return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
+}
+static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return (int32_t)x << 6; }
+/* 1 / f, f > 0, to all bits; saturates */
+static inline cairn_factor cairn_factor_reciprocal(cairn_factor f)
+{
+    return cairn_wide_scale(1, cairn_wide_div(cairn_wide_of(1, 0), cairn_wide_of(f, -20)), 20);
 }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
 /* x x + y y: one, but for rounding */

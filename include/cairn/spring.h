@@ -35,10 +35,16 @@ typedef struct cairn_spring {
     } anchor_a, anchor_b; /* from the centres of mass, body frame */
     cairn_offset rest_length;
     cairn_wide stiffness, damping;
-    /* the map of a sub-step, see spring.c */
+    /* the map of a sub-step, see spring_solve.c */
     cairn_share share_a, share_b;
     cairn_share velocity_gain, gravity_gain;
     cairn_wide position_gain;
+    /* the path it is solved with */
+    uint16_t next, previous;
+    cairn_factor before, behind, inverse_pivot;
+    cairn_motion impulse;
+    cairn_dir direction_x, direction_y; /* from a to b */
+    cairn_lever lever_a, lever_b;
 } cairn_spring;
 
 struct cairn_spring_class;
