@@ -77,20 +77,23 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     keep_impulses(arbiter, manifold);
     arbiter->normal_x = cairn_dir_from_unit(nx);
     arbiter->normal_y = cairn_dir_from_unit(ny);
-    cairn_offset height = 0;
+    cairn_offset height = 0, apart = 0;
     for (int i = 0; i < manifold->count; i++) {
         const cairn_manifold_point *point = &manifold->points[i];
         cairn_row *row = &arbiter->rows[i];
         cairn_offset arm = cairn_offset_dot(point->x, point->y, -ny, nx);
         cairn_offset here = cairn_offset_dot(point->x, point->y, nx, ny);
         height = i == 0 ? here : height + cairn_offset_half(here - height);
+        apart = i == 0 || point->separation < apart ? point->separation : apart;
         row->lever_a = lever(a, -arm);
         row->lever_b = lever(b, b_arm - arm);
         row->gap = gap_of(world, point->separation + way_until(world, a, b, arbiter, row, manifold->time));
         row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
         row->soft_mass = cairn_ratio_mul(row->mass, CAIRN_SOFT_MASS);
     }
-    arbiter->friction_lever_a = lever(a, height);
-    arbiter->friction_lever_b = lever(b, height - b_height);
+    /* Friction acts where the surfaces meet: each body's own, as long as they are apart. */
+    cairn_offset to_surface = apart > 0 ? cairn_offset_half(apart) : 0;
+    arbiter->friction_lever_a = lever(a, height - to_surface);
+    arbiter->friction_lever_b = lever(b, height + to_surface - b_height);
     arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
 }
