@@ -8,6 +8,8 @@
 #include "engine.h"
 
 #define PASSES 16
+/* What rounding may add to a separation, m: so near at the end of the sub-step, and the sweeps would stop the body. */
+#define CLOSE CAIRN_MOTION(2e-6)
 
 typedef struct impact {
     cairn_arbiter *arbiter;
@@ -79,15 +81,15 @@ static bool detect(const cairn_world *world, impact *i, int substep)
         if (u >= -threshold || u >= 0) {
             continue;
         }
-        cairn_motion separation = 0;
-        if (row->gap > 0) {
-            separation = cairn_motion_add(row->gap, row_displacement(i, row));
-            if (cairn_motion_add(separation, u - gravity) > 0) {
+        /* A pair that touched may have come apart by another impact in this sub-step: then it meets only after that. */
+        cairn_motion separation = cairn_motion_add(row->gap > 0 ? row->gap : 0, row_displacement(i, row));
+        if (row->gap > 0 || separation > 0) {
+            if (cairn_motion_add(separation, u - gravity) > CLOSE) {
                 continue;
             }
             separation = cairn_motion_add(separation, cairn_motion_half(gravity * substep));
-            separation = separation < 0 ? 0 : separation;
         }
+        separation = separation < 0 ? 0 : separation;
         i->closing[k] = cairn_motion_closing(u, gravity, separation);
         if (i->closing[k] > 0) {
             cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(i->closing[k] - u));
