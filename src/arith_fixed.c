@@ -424,7 +424,7 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
 
     /* Scale so that the squared length lies in [2^62, 2^64). */
     shift = cairn_clz(ax | ay) - 1;
-    if (shift < 0) { shift = 0; ax -= ax >> 31; ay -= ay >> 31; } /* 2^31 itself: one LSB less */
+    shift = shift < 0 ? 0 : shift; /* 2^31 itself */
     ax <<= shift;
     ay <<= shift;
     square = cairn_product(ax, ax) + cairn_product(ay, ay);

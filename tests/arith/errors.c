@@ -324,8 +324,8 @@ static const operation operations[] = {
     { "diffused_of", "2^-60 m", 0.5, NULL, 0, diffused },
     { "offset_fraction", "2^-30", 2, NULL, 0, offset_fraction },
     { "unit_along", "2^-30", 2, NULL, 0, unit_along },
-    { "unit_along's length", "2^-22 m", 0.9, NULL, 0, unit_along_length },
-    { "factor_spin", "2^-20", 0.8, NULL, 0, factor_spin },
+    { "unit_along's length", "2^-22 m", 0.8, NULL, 0, unit_along_length },
+    { "factor_spin", "2^-20", 0.55, NULL, 0, factor_spin },
     { "motion_factor", "2^-28 m", 0.5, NULL, 0, motion_factor },
     { "offset_from_motion", "2^-22 m", 0.5, NULL, 0, offset_from_motion },
 };
