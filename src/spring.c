@@ -112,6 +112,9 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     if (world == NULL || storage == NULL || storage->pool == NULL || storage->springs == NULL) {
         return world == NULL ? CAIRN_ERROR_NULL : cairn_fail(world, CAIRN_ERROR_NULL);
     }
+    if (world->locked) {
+        return cairn_fail(world, CAIRN_ERROR_LOCKED);
+    }
     if (world->springs != NULL || storage->capacity == 0 || storage->capacity > 65000) {
         return cairn_fail(world, world->springs != NULL ? CAIRN_ERROR_KIND : CAIRN_ERROR_RANGE);
     }
@@ -179,12 +182,9 @@ static cairn_offset2 anchor_of(const cairn_body *body, cairn_vec2 anchor)
     return result;
 }
 
-static void measure_at_rest(const cairn_world *world, const cairn_spring *spring, cairn_reach *r)
+static void measure(const cairn_world *world, const cairn_spring *spring, cairn_reach *r)
 {
-    cairn_body a = world->bodies[spring->a], b = world->bodies[spring->b];
-    a.dx = a.dy = a.dw = 0;
-    b.dx = b.dy = b.dw = 0;
-    cairn_spring_measure(spring, &a, &b, r);
+    cairn_spring_measure(spring, &world->bodies[spring->a], &world->bodies[spring->b], r);
 }
 
 cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *def)
@@ -210,7 +210,7 @@ cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *
     spring->stiffness = def->stiffness;
     spring->damping = def->damping;
     cairn_reach r;
-    measure_at_rest(world, spring, &r);
+    measure(world, spring, &r);
     spring->rest_length = def->rest_length < 0 ? r.length : cairn_offset_from_real(def->rest_length);
     if (def->no_contact) {
         a->flags |= CAIRN_BODY_SPRUNG;
@@ -241,7 +241,7 @@ cairn_real cairn_spring_length(cairn_world *world, cairn_spring_id id)
     if (spring == NULL) {
         return 0;
     }
-    measure_at_rest(world, spring, &r);
+    measure(world, spring, &r);
     return cairn_real_from_offset(r.length);
 }
 
@@ -284,7 +284,7 @@ cairn_status cairn_spring_anchors(cairn_world *world, cairn_spring_id id, cairn_
     if (a == NULL || b == NULL) {
         return cairn_fail(world, CAIRN_ERROR_NULL);
     }
-    measure_at_rest(world, spring, &r);
+    measure(world, spring, &r);
     *a = anchor_at(&world->bodies[spring->a], r.arm_a);
     *b = anchor_at(&world->bodies[spring->b], r.arm_b);
     return CAIRN_OK;

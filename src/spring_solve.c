@@ -47,16 +47,29 @@ static cairn_offset2 moved_arm(const cairn_body *body, cairn_offset x, cairn_off
     return arm_of(x, y, c, s);
 }
 
-/* Where the spring is, displacements of this step included (they are zero between steps for what this serves). */
+/* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
+#define FAR CAIRN_F(500)
+
+/* The way from one anchor to the other on one axis, saturating. */
+static cairn_offset way(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue, cairn_offset moved,
+                        cairn_offset from_arm, cairn_offset to_arm)
+{
+    cairn_real apart = cairn_real_sub(to, from);
+    cairn_offset bodies = cairn_real_is_within(apart, FAR) ? cairn_coordinate_offset(from, from_residue, to, to_residue)
+                        : apart > 0 ? cairn_offset_from_real(FAR) : -cairn_offset_from_real(FAR);
+    return cairn_offset_add(cairn_offset_add(cairn_offset_add(bodies, moved), to_arm), -from_arm);
+}
+
+/* Where the spring is, displacements of this step included. */
 void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
 {
     r->arm_a = moved_arm(a, spring->anchor_a.x, spring->anchor_a.y);
     r->arm_b = moved_arm(b, spring->anchor_b.x, spring->anchor_b.y);
-    cairn_offset x = cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue) + cairn_offset_from_motion(b->dx)
-                   - cairn_offset_from_motion(a->dx);
-    cairn_offset y = cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue) + cairn_offset_from_motion(b->dy)
-                   - cairn_offset_from_motion(a->dy);
-    r->length = cairn_unit_along(x + r->arm_b.x - r->arm_a.x, y + r->arm_b.y - r->arm_a.y, &r->x, &r->y);
+    cairn_offset moved_x = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx);
+    cairn_offset moved_y = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy);
+    cairn_offset x = way(a->x, a->x_residue, b->x, b->x_residue, moved_x, r->arm_a.x, r->arm_b.x);
+    cairn_offset y = way(a->y, a->y_residue, b->y, b->y_residue, moved_y, r->arm_a.y, r->arm_b.y);
+    r->length = cairn_unit_along(x, y, &r->x, &r->y);
 }
 
 /* (r x n) / rho */

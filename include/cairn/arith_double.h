@@ -122,6 +122,7 @@ static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return x; 
 static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return x; }
 #define CAIRN_OFFSET_MAX 512.0
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x / 2; }
+static inline cairn_offset cairn_offset_add(cairn_offset a, cairn_offset b) { return a + b; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }

@@ -211,21 +211,20 @@ static inline cairn_real cairn_real_from_motion(cairn_motion x, cairn_wide k) { 
    half a unit; whole turns wrap away. */
 cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration);
 /*
- * An arm over the radius of gyration, within 1.1 units of Q2.13. Called several times a contact, so by 17 bits of
- * the mantissa, the last one always set, which needs no 64-bit product.
+ * An arm over the radius of gyration, within 1.1 units of Q2.13 for radii from 31 micrometres up. Called several times
+ * a contact, so by the upper 16 bits of the mantissa, rounded, which needs no 64-bit product.
  */
 static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gyration)
 {
-    int32_t m = (int32_t)(inverse_gyration.mantissa >> 16);
-    int32_t high = (arm >> 16) * m, low = (int32_t)(((uint32_t)arm & 0xFFFFu) * (uint32_t)m >> 16);
-    int32_t scaled = high + low + (arm >> 17) + 1; /* + 1: two of the terms are rounded down */
-    int shift = -23 - inverse_gyration.exponent;   /* from Q22 + 32 to Q13 */
-    if (shift > 1) {
-        scaled = ((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1;
-    } else { /* radii below 8 mm */
-        scaled = cairn_wide_scale(arm, inverse_gyration, -9);
+    uint32_t m = (inverse_gyration.mantissa >> 16) + (inverse_gyration.mantissa >> 15 & 1u);
+    int shift = -23 - inverse_gyration.exponent; /* from Q22 + 32 to Q13 */
+    int32_t scaled;
+    if (shift < 2) {                             /* a radius below 8 mm: its arms are short and have 8 bits to spare */
+        arm = (cairn_offset)((uint32_t)cairn_clamp(arm, CAIRN_OFFSET(1)) << 8);
+        shift = shift < -6 ? 2 : shift + 8;
     }
-    return (cairn_lever)cairn_clamp(scaled, CAIRN_LEVER_MAX);
+    scaled = (int32_t)((uint32_t)(arm >> 16) * m + (((uint32_t)arm & 0xFFFFu) * m >> 16));
+    return (cairn_lever)cairn_clamp(((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1, CAIRN_LEVER_MAX);
 }
 
 /* ---- coordinates: a cairn_real and its residue make a position in steps of 2^-28 m ---- */
@@ -273,6 +272,7 @@ static inline cairn_motion cairn_motion_from_offset(cairn_offset x) { return (ca
 static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x >> 6) + (x >> 5 & 1); }
 #define CAIRN_OFFSET_MAX INT32_MAX
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x >> 1; }
+static inline cairn_offset cairn_offset_add(cairn_offset a, cairn_offset b) { return cairn_add_clamped(a, b); }
 /* The next API number that is not below x. */
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return (x >> 6) + 1; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return cairn_mul32(a, u, 30); }
