@@ -165,6 +165,14 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     cairn_body_refresh_extents(world, body);
 }
 
+/* After a change of where a body is or of whom it meets. */
+static void disturb(cairn_world *world, const cairn_body *body)
+{
+    if (world->sleep != NULL && !cairn_body_is_dynamic(body)) {
+        world->sleep->disturb(world, body);
+    }
+}
+
 static void set_spin(cairn_world *world, cairn_body *body, cairn_real radians_per_second)
 {
     if (cairn_wide_is_zero(body->inverse_gyration)) {
@@ -224,6 +232,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_def *def)
         set_spin(world, body, def->angular_velocity);
     }
     place(world, body, def->position, def->angle);
+    disturb(world, body);
     if (def->material->bounce != NULL) {
         world->bounce = def->material->bounce;
     }
@@ -427,6 +436,7 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
     cairn_arbiters_remove_body(world, (uint16_t)(id.index - 1));
     cairn_body_wake_up(world, body);
     place(world, body, position, angle);
+    disturb(world, body);
     return CAIRN_OK;
 }
 
@@ -481,6 +491,8 @@ cairn_status cairn_body_set_material(cairn_world *world, cairn_body_id id, const
         world->bounce = material->bounce;
     }
     cairn_arbiters_refresh_materials(world, (uint16_t)(id.index - 1));
+    cairn_arbiters_wake_partners(world, (uint16_t)(id.index - 1));
+    cairn_body_wake_up(world, body);
     return CAIRN_OK;
 }
 
@@ -493,6 +505,7 @@ cairn_status cairn_body_set_layers(cairn_world *world, cairn_body_id id, uint16_
         cairn_body_wake_up(world, body);
         body->layer = layer;
         body->mask = mask;
+        disturb(world, body);
     }
     return status;
 }

@@ -48,6 +48,17 @@ static bool wake(cairn_world *world)
     return world->stats.awake != at_first;
 }
 
+/* A body that does not move has no contact with sleepers: where it is put among them, they have to look for themselves. */
+static void disturb(cairn_world *world, const cairn_body *body)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *other = &world->bodies[i];
+        if (is_asleep(other) && cairn_boxes_overlap(body, other)) {
+            cairn_body_wake_up(world, other);
+        }
+    }
+}
+
 /* ---- falling asleep ---- */
 
 static uint16_t root_of(cairn_world *world, uint16_t index)
@@ -120,7 +131,7 @@ static void settle(cairn_world *world)
     }
 }
 
-static const cairn_sleep_class class_of_sleep = { wake, settle };
+static const cairn_sleep_class class_of_sleep = { wake, settle, disturb };
 
 /* ---- for the game ---- */
 

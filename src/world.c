@@ -91,6 +91,17 @@ static void refresh_extents(cairn_world *world)
     }
 }
 
+static void find_pairs(cairn_world *world)
+{
+    uint32_t dropped = world->stats.dropped;
+    world->broad->find_pairs(world);
+    if (world->sleep != NULL && world->sleep->wake(world)) {
+        world->stats.pairs = 0;
+        world->stats.dropped = dropped;
+        world->broad->find_pairs(world); /* what woke has pairs of its own */
+    }
+}
+
 cairn_status cairn_world_step(cairn_world *world)
 {
     if (world == NULL) {
@@ -107,13 +118,12 @@ cairn_status cairn_world_step(cairn_world *world)
     }
     refresh_extents(world);
     cairn_arbiters_begin(world);
-    world->broad->find_pairs(world);
-    if (world->sleep != NULL && world->sleep->wake(world)) {
-        world->broad->find_pairs(world); /* what woke has pairs of its own */
-    }
+    find_pairs(world);
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;
-    world->solver->solve(world);
+    if (world->stats.awake != 0) {
+        world->solver->solve(world);
+    }
     if (world->fast != 0) {
         world->continuous->clip(world);
     }

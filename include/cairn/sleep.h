@@ -1,6 +1,6 @@
 /*
  * Sleep: groups of touching bodies that have been at rest for half a second stop costing anything until something
- * touches, moves, pushes or removes one of them.
+ * touches, moves, pushes, changes or removes one of them.
  */
 #ifndef CAIRN_SLEEP_H
 #define CAIRN_SLEEP_H

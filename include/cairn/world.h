@@ -36,6 +36,7 @@ extern const struct cairn_continuous_class cairn_continuous;
 typedef struct cairn_sleep_class {
     bool (*wake)(struct cairn_world *world);   /* what touches something awake; true if anything woke */
     void (*settle)(struct cairn_world *world); /* what has come to rest falls asleep */
+    void (*disturb)(struct cairn_world *world, const cairn_body *body); /* what this body now lies in wakes */
 } cairn_sleep_class;
 
 /* Counters of the last step, and of all steps where marked. */
