@@ -38,3 +38,21 @@ void test_the_hash_sees_every_part_of_a_pose_and_a_motion(void)
         last = cairn_world_hash(world);
     }
 }
+
+/* What sleeps does not change, to the last bit. */
+void test_the_hash_of_a_sleeping_world_stays(void)
+{
+    ASSERT_OK(cairn_sleep_enable(world));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    put(&box, 0, CAIRN_F(0.5));
+    put(&ball, CAIRN_F(3), CAIRN_F(0.5));
+    run(120);
+    cairn_body_id id = cairn_world_next_body(world, cairn_body_id_null());
+    while (!cairn_body_id_is_null(id)) {
+        TEST_ASSERT_FALSE(cairn_body_is_awake(world, id));
+        id = cairn_world_next_body(world, id);
+    }
+    uint32_t hash = cairn_world_hash(world);
+    run(60);
+    TEST_ASSERT_EQUAL_HEX32(hash, cairn_world_hash(world));
+}
