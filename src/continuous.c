@@ -206,4 +206,4 @@ static void clip(cairn_world *world)
     }
 }
 
-const struct cairn_continuous_class cairn_continuous = { meet, clip };
+const cairn_continuous_class cairn_continuous = { meet, clip };

@@ -171,13 +171,7 @@ void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor);
 
 static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
 
-/* ---- continuous.c, through the class ---- */
-struct cairn_continuous_class {
-    /* The contact of two bodies, one of them fast: as they will meet in this step, if they do. */
-    void (*meet)(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out);
-    /* Cut the displacements of fast bodies short where they would carry a body's core into another one. */
-    void (*clip)(cairn_world *world);
-};
+/* ---- fast bodies ---- */
 /* Does this step's motion carry the body further than a quarter of its smallest half size? */
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
 

@@ -44,7 +44,7 @@ static void rescale(cairn_world *world, cairn_wide old)
 }
 
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
-                                   const struct cairn_continuous_class *continuous)
+                                   const cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
         || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000

@@ -29,8 +29,14 @@ typedef struct cairn_broad_class {
 } cairn_broad_class;
 
 /* What keeps fast bodies from passing through others: see continuous.c. */
-struct cairn_continuous_class;
-extern const struct cairn_continuous_class cairn_continuous;
+typedef struct cairn_continuous_class {
+    /* The contact of two bodies, one of them fast: as they will meet in this step, if they do. */
+    void (*meet)(const struct cairn_world *world, const cairn_body *a, const cairn_body *b, struct cairn_manifold *out);
+    /* Cut displacements short where they would carry a fast body's core into another one. */
+    void (*clip)(struct cairn_world *world);
+} cairn_continuous_class;
+
+extern const cairn_continuous_class cairn_continuous;
 
 /* What sleep adds to the step. */
 typedef struct cairn_sleep_class {
@@ -64,7 +70,7 @@ typedef struct cairn_world {
     const cairn_broad_class *broad;
     const cairn_bounce_class *bounce;
     const cairn_sleep_class *sleep;
-    const struct cairn_continuous_class *continuous;
+    const cairn_continuous_class *continuous;
     struct cairn_spring_pool *springs;
     struct cairn_quadtree *tree;
 
@@ -114,7 +120,7 @@ extern const cairn_solver_class cairn_solver_soft;
  * is fast, without (null). Null if storage or solver is null or a capacity is zero.
  */
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
-                                   const struct cairn_continuous_class *continuous);
+                                   const cairn_continuous_class *continuous);
 
 /* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
