@@ -3,7 +3,10 @@
 
 static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_storage *storage, cairn_world *world)
 {
-    cairn_status status = cairn_world_set_rate(world, scene->rate);
+    cairn_status status = cairn_world_set_gravity(world, scene->gravity);
+    if (status == CAIRN_OK) {
+        status = cairn_world_set_rate(world, scene->rate);
+    }
     if (status == CAIRN_OK) {
         status = cairn_world_set_substeps(world, scene->substeps);
     }
@@ -40,18 +43,20 @@ static cairn_body_id make_body(const cairn_scene *scene, cairn_world *world, con
     return cairn_body_create(world, &def);
 }
 
-/* Bodies of a fresh world take the places of the pool in order. */
-static cairn_body_id body_at(const cairn_world *world, uint16_t place)
+/* Bodies of a fresh world take the places of the pool in order. The null id if the scene has no such body. */
+static cairn_body_id body_at(const cairn_scene *scene, const cairn_world *world, uint16_t place)
 {
-    cairn_body_id id;
-    id.index = (uint16_t)(place + 1);
-    id.generation = world->bodies[place].generation;
+    cairn_body_id id = cairn_body_id_null();
+    if (place < scene->body_count) {
+        id.index = (uint16_t)(place + 1);
+        id.generation = world->bodies[place].generation;
+    }
     return id;
 }
 
-static cairn_spring_id make_spring(cairn_world *world, const cairn_scene_spring *entry)
+static cairn_spring_id make_spring(const cairn_scene *scene, cairn_world *world, const cairn_scene_spring *entry)
 {
-    cairn_spring_def def = cairn_spring_def_default(body_at(world, entry->a), body_at(world, entry->b));
+    cairn_spring_def def = cairn_spring_def_default(body_at(scene, world, entry->a), body_at(scene, world, entry->b));
     def.anchor_a = entry->anchor_a;
     def.anchor_b = entry->anchor_b;
     def.rest_length = entry->rest_length;
@@ -69,7 +74,7 @@ cairn_world *cairn_scene_build(const cairn_scene *scene, const cairn_scene_stora
 {
     *place = -1;
     *error = CAIRN_ERROR_NULL;
-    cairn_world *world = cairn_world_init(storage->world, scene->gravity);
+    cairn_world *world = cairn_world_init(storage->world, cairn_vec2_of(0, 0));
     if (world == NULL) {
         return NULL;
     }
@@ -89,7 +94,7 @@ cairn_world *cairn_scene_build(const cairn_scene *scene, const cairn_scene_stora
         }
     }
     for (uint16_t i = 0; i < scene->spring_count; i++) {
-        cairn_spring_id id = make_spring(world, &scene->springs[i]);
+        cairn_spring_id id = make_spring(scene, world, &scene->springs[i]);
         if (cairn_spring_id_is_null(id)) {
             *error = cairn_world_error(world);
             *place = scene->body_count + i;
