@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from . import scenes
+from . import fast, heavy, mess, motion, scenes, springs, stands
 from .model import CASES
 
-FILES = (scenes,)
+FILES = (scenes, stands, heavy, springs, motion, fast, mess)
 
 __all__ = ["CASES", "FILES"]

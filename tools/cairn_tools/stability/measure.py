@@ -96,6 +96,18 @@ def _distances(points: np.ndarray, outline: np.ndarray) -> np.ndarray:
     return np.where(inside < 0, inside, nearest)
 
 
+def separations(shape: Shape, other: Shape, states: np.ndarray) -> np.ndarray:
+    """How far a shape in each of these states is from a polygon at the origin; at corners less, negative inside it."""
+    assert other.corners is not None
+    fixed = np.broadcast_to(other.corners, (len(states), *other.corners.shape))
+    if shape.corners is None:
+        return _distances(states[:, [X, Y]], fixed) - shape.radius
+    c, s = np.cos(states[:, ANGLE])[:, None], np.sin(states[:, ANGLE])[:, None]
+    x, y = shape.corners.T
+    outline = np.stack([c * x - s * y, s * x + c * y], axis=2) + states[:, None, [X, Y]]
+    return -_overlaps(outline, fixed)
+
+
 def moved(states: np.ndarray, since: int = 0, axes: tuple[int, ...] = (X, Y)) -> float:
     """The farthest any centre was from where it was at record `since`, then or later."""
     way = states[since:, :, list(axes)] - states[since, :, list(axes)].T

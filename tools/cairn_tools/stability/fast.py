@@ -1,0 +1,157 @@
+"""Continuous collision: throws at thin walls, at any speed there can be, and near misses past their ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..host import ANGLE, VX, VY, Shape, World, X, Y
+from .measure import kinetic_energy, separations
+from .model import Bench, Figure, case, most
+
+PEERS = "safe speed, ball of 0.1 at 0.1 m: slides 9, box2d-lite 9, Chipmunk 9; Box2D any, with a flag for dynamic walls"
+THROWS = 400
+THICK = 0.1
+LIMIT = 1e9  # stands for the largest speed that the world can have
+SPEEDS = [10.0, 30.0, 100.0, 200.0, LIMIT]
+
+
+@dataclass(frozen=True)
+class Throw:
+    world: World
+    body: int
+    wall: int
+    shape: Shape
+    half: float  # of the wall's height
+
+
+def _form(world: World, kind: int) -> Shape:
+    return (world.circle(0.1), world.box(0.2, 0.2), world.regular(3, 0.15))[kind % 3]
+
+
+def _world(
+    bench: Bench, kind: int, dynamic: bool, bounce: float, friction: float, height: float
+) -> tuple[World, Shape, int]:
+    """A world without gravity, a shape to throw and a wall at x = 0."""
+    world = bench.world((0.0, 0.0), bodies=2, arbiters=4)
+    material = world.material(friction, bounce=bounce)
+    shape = _form(world, kind)
+    plate = world.box(THICK, height)
+    if dynamic:
+        wall = world.add(plate, 0.0, 0.0, density=5 * shape.area / plate.area, material=material)
+    else:
+        wall = world.fixed(plate, 0.0, 0.0, material=material)
+    return world, shape, wall
+
+
+def _speed(bench: Bench, wanted: float) -> float:
+    """The speed of the throws: the limit is one of each axis."""
+    return min(wanted, 0.999 * bench.world(bodies=1, arbiters=1).speed_limit)
+
+
+def throw(bench: Bench, seed: int, speed: float, dynamic: bool) -> Throw:
+    """A seeded throw from the left at the wall, straight to grazing, spinning by up to 60 rad/s."""
+    random = np.random.default_rng(seed)
+    height = 2.0 if dynamic else 60.0
+    world, shape, wall = _world(bench, seed, dynamic, float(random.uniform(0, 1)), float(random.uniform(0, 1)), height)
+    slant = 0.0 if seed % 4 == 0 else math.radians(random.uniform(-80, 80))
+    way = np.array([math.cos(slant), math.sin(slant)])
+    # At some part of a step, one to three steps before the wall, aimed at its middle part.
+    aim = np.array([0.0, random.uniform(-0.3, 0.3) * height])
+    start = aim - way * (0.3 + speed / 60 * random.uniform(0.0, 3.0)) - np.array([0.2, 0.0])
+    body = world.add(shape, *start, random.uniform(-3, 3), tuple(speed * way), random.uniform(-60, 60),
+                     material=1)  # fmt: skip
+    return Throw(world, body, wall, shape, height / 2)
+
+
+def passes(states: np.ndarray, half: float) -> bool:
+    """Whether the body's centre goes through the wall, both given by record: body first, wall second."""
+    (bx, by), (wx, wy) = (states[:, k, [X, Y]].T for k in (0, 1))
+    c, s = np.cos(states[:, 1, ANGLE]), np.sin(states[:, 1, ANGLE])
+    # In the wall's own frame; where it crosses the middle plane, and how far up.
+    x, y = c * (bx - wx) + s * (by - wy), -s * (bx - wx) + c * (by - wy)
+    cross = np.flatnonzero((x[:-1] < 0) != (x[1:] < 0))
+    for k in cross:
+        part = x[k] / (x[k] - x[k + 1])
+        if abs(y[k] + part * (y[k + 1] - y[k])) < half:
+            return True
+    return not np.isfinite(states).all()
+
+
+@case("400 seeded throws of a circle, box or triangle at {speed:g} m/s (1e+09: the limit), {wall} wall of 0.1 m",
+      over={"wall": ["static", "dynamic"], "speed": SPEEDS}, quick=True, peers=PEERS)  # fmt: skip
+def throws(bench: Bench, wall: str, speed: float) -> Iterator[Figure]:
+    through, gained = 0, 0.0
+    for seed in range(THROWS):
+        thrown = throw(bench, seed, _speed(bench, speed), wall == "dynamic")
+        states = thrown.world.record(20, 1, [thrown.body, thrown.wall])
+        through += passes(states, thrown.half)
+        count = len(thrown.world.moving)
+        energy = kinetic_energy(thrown.world, states[:, :count], [thrown.body, thrown.wall][:count])
+        gained = max(gained, float(energy.max() / energy[0] - 1))
+    yield most("pass", through, 0)
+    yield most("energy gained", gained, 1e-3, "%")
+
+
+@case("square hits at {speed:g} m/s (1e+09: the limit): speed after within 1 % of restitution", quick=True,
+      over={"wall": ["static", "dynamic"], "speed": SPEEDS})  # fmt: skip
+def square_hits(bench: Bench, wall: str, speed: float) -> Iterator[Figure]:
+    speed = _speed(bench, speed)
+    worst = 0.0
+    for seed in range(60):
+        random = np.random.default_rng(seed)
+        e = (0.0, 0.3, 0.7, 1.0)[seed % 4]
+        world, shape, plate = _world(bench, seed % 2, wall == "dynamic", e, 0.0, 2.0)
+        start = -(0.3 + speed / 60 * random.uniform(0.0, 3.0))
+        body = world.add(shape, start, 0.0, velocity=(speed, 0.0), material=1)
+        world.step(20)
+        after = world.states([body, plate])[:, VX]
+        mass, other = world.mass(body), world.mass(plate) if wall == "dynamic" else math.inf
+        middle = 0.0 if math.isinf(other) else mass * speed / (mass + other)
+        right = (middle - e * (speed - middle), 0.0 if math.isinf(other) else middle + e * middle)
+        worst = max(worst, float(np.abs(after - right).max()) / speed)
+    yield most("speed after, over that before", worst, 0.01, "%")
+
+
+def _clearance(world: World, body: int, wall: int, start: np.ndarray) -> float:
+    """The least gap from the wall on a straight path, by separating axes at many moments; 0 or less is a hit."""
+    speed = float(np.hypot(start[VX], start[VY]))
+    middle, reach = -float(start[X] * start[VX] + start[Y] * start[VY]) / speed**2, 1.5 / speed
+    gap = math.inf
+    # Each 3 mm of the way; where that comes near, each 0.03 mm of the 6 cm about the nearest place.
+    for count in (1000, 2000):
+        t = np.linspace(middle - reach, middle + reach, count)
+        gaps = separations(world.shapes[body], world.shapes[wall], start + np.outer(t, [*start[3:], 0, 0, 0]))
+        gap, middle, reach = float(gaps.min()), float(t[gaps.argmin()]), 0.03 / speed
+        if not -0.02 < gap < 0.1:
+            break
+    return gap
+
+
+@case("near misses of a wall's end at {speed:g} m/s (1e+09: the limit): no ghost hit", quick=True,
+      over={"speed": SPEEDS})  # fmt: skip
+def near_misses(bench: Bench, speed: float) -> Iterator[Figure]:
+    speed = _speed(bench, speed)
+    ghosts = tried = 0
+    seed = 0
+    while tried < 60 and seed < 600:
+        random = np.random.default_rng(seed)
+        world, shape, wall = _world(bench, seed, False, 0.5, 0.5, 2.0)
+        slant = math.radians(random.uniform(-60, 60))
+        way = np.array([math.cos(slant), math.sin(slant)])
+        aim = np.array([0.0, 1.0 + random.uniform(0.05, 0.35)])
+        start = aim - way * (0.3 + speed / 60 * random.uniform(0.0, 3.0))
+        body = world.add(shape, *start, random.uniform(-3, 3), tuple(speed * way), random.uniform(-60, 60), material=1)
+        seed += 1
+        (before,) = world.states([body])
+        if not 0.0005 < _clearance(world, body, wall, before) < 0.05:
+            continue
+        tried += 1
+        world.step(8)
+        after = world.states([body])[0]
+        ghosts += bool(np.hypot(*(after - before)[[VX, VY]]) > 0.001 * speed)
+    yield most("ghost hits", ghosts, 0)
+    yield Figure("near misses tried", tried, 60, least=True)
