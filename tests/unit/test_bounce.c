@@ -282,6 +282,65 @@ void test_a_box_that_hits_off_its_centre_spins(void)
     TEST_ASSERT_TRUE(w < CAIRN_F(-0.5));
 }
 
+/*
+ * A tilted box comes down on one corner, to the left or to the right: J = 2 u / (1/m + l^2 / I), with l the corner's
+ * distance aside. At 20 degrees l = 0.5 (cos - sin) = 0.298836 and J = 1.302283 u: the one corner is the first point of
+ * the contact, the other one the second.
+ */
+void test_a_tilted_box_bounces_off_either_corner_alike(void)
+{
+    for (int side = 0; side < 2; side++) {
+        open_yard(0);
+        put_static(&ground, 0, CAIRN_F(-0.5));
+        cairn_body_def def = def_at(&box, 0, CAIRN_F(0.7));
+        def.angle = side == 0 ? CAIRN_DEGREES(20) : CAIRN_DEGREES(-20);
+        def.material = &elastic;
+        def.velocity.y = CAIRN_F(-3);
+        cairn_body_id id = make(&def);
+        run(2); /* it has 0.06 m to go: 1.2 steps */
+        ASSERT_NEAR(0.001 * 3, -3 + 3 * 1.302283, vy_of(id));
+        ASSERT_NEAR(0.003 * 7, 0, size_of(spin_of(id)) - CAIRN_F(3 * 1.302283 * 0.298836 * 6));
+        TEST_ASSERT_EQUAL_INT(side == 0, spin_of(id) < 0);
+    }
+}
+
+/* Nearly flat and spinning: one point leaves while the other one hits, and none of the impulses pulls. */
+void test_a_spinning_box_that_lands_nearly_flat_gains_no_energy(void)
+{
+    for (int i = -4; i <= 4; i++) {
+        open_yard(0);
+        put_static(&ground, 0, CAIRN_F(-0.5));
+        cairn_body_def def = def_at(&box, 0, CAIRN_F(0.53));
+        def.angular_velocity = CAIRN_F(1.1) * i;
+        def.material = &elastic;
+        def.velocity.y = CAIRN_F(-2);
+        cairn_body_id id = make(&def);
+        run(30);
+        cairn_vec2 v = cairn_body_velocity(world, id);
+        cairn_real w = spin_of(id), before = CAIRN_F(4) + cairn_real_mul(CAIRN_F(1.1) * i, CAIRN_F(1.1) * i) / 6;
+        ASSERT_NEAR(0.02, 0, cairn_real_mul(v.x, v.x) + cairn_real_mul(v.y, v.y) + cairn_real_mul(w, w) / 6 - before);
+        TEST_ASSERT_TRUE(y_of(id) > CAIRN_F(0.49));
+    }
+}
+
+/* As off a pivot, with the pivot second in the pair. */
+void test_a_ball_bounces_off_a_pivot_that_was_made_later(void)
+{
+    open_yard(0);
+    cairn_body_def def = def_at(&ball, CAIRN_F(0.8), CAIRN_F(0.7));
+    def.material = &elastic;
+    def.velocity.y = CAIRN_F(-2);
+    cairn_body_id id = make(&def);
+    def = def_at(&beam, 0, 0);
+    def.fixed_position = true;
+    def.material = &elastic;
+    cairn_body_id pivot = make(&def);
+    run(4);
+    ASSERT_NEAR(0.004, -2 + 0.663816 / 0.785398, vy_of(id));
+    ASSERT_NEAR(0.012, -0.8 * 0.663816 / 0.134667, spin_of(pivot));
+    ASSERT_NEAR_VEC2(0, 0, 0, cairn_body_position(world, pivot));
+}
+
 /* ---- friction of an impact ---- */
 
 /* A ball without spin at 45 degrees: while it slips, friction takes mu (1 + e) u of its speed along the floor. */

@@ -245,6 +245,22 @@ void test_a_moving_platform_keeps_awake_and_wakes(void)
     TEST_ASSERT_FALSE(awake(rider));
 }
 
+/* So does one that moves sideways or turns only. */
+void test_any_motion_of_a_platform_keeps_awake(void)
+{
+    static const cairn_vec2 speeds[] = { { CAIRN_F(0.02), 0 }, { 0, 0 } };
+    for (int i = 0; i < 2; i++) {
+        cairn_body_def def = def_at(&ground, CAIRN_F(100) * (i + 1), CAIRN_F(3));
+        def.type = CAIRN_KINEMATIC;
+        def.velocity = speeds[i];
+        def.angular_velocity = i == 1 ? CAIRN_F(0.001) : 0;
+        make(&def);
+        cairn_body_id rider = put(&box, CAIRN_F(100) * (i + 1), CAIRN_F(4));
+        run(120);
+        TEST_ASSERT_TRUE(awake(rider));
+    }
+}
+
 /* ---- springs ---- */
 
 /* Hang a ball by a spring beside the boxes, and let it fall asleep. */

@@ -141,6 +141,18 @@ void test_a_spring_sags_by_the_weight_over_the_stiffness(void)
     ASSERT_NEAR(0.001, 2.1, cairn_spring_length(world, id));
 }
 
+void test_sensors_report_and_do_not_push(void)
+{
+    cairn_body_def def = def_at(&box, 0, CAIRN_F(-2));
+    def.type = CAIRN_STATIC;
+    def.sensor = true;
+    cairn_body_id sensor = make(&def), id = put(&ball, 0, 0);
+    run(40);
+    TEST_ASSERT_TRUE(are_touching(sensor, id));
+    run(20);
+    ASSERT_NEAR(2 * LSB, -5, y_of(id));
+}
+
 /* (as in test_body.c) m u r = (I + m r^2) w */
 void test_a_ball_turns_a_flipper_by_the_law_of_angular_momentum(void)
 {
