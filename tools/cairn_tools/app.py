@@ -206,6 +206,7 @@ def stability(
     case: Annotated[list[str] | None, typer.Option(help="Names of cases; * stands for anything.")] = None,
     arithmetic: Annotated[list[Arithmetic] | None, typer.Option("--engine", help="Default: q16 f64.")] = None,
     solver: Annotated[list[Solver] | None, typer.Option(help="Default: soft; slides beside it where it falls.")] = None,
+    plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw the sweeps and the cases too.")] = None,
     workers: Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes.")] = stability_module.WORKERS,
     as_json: JsonOption = False,
 ) -> None:
@@ -215,6 +216,9 @@ def stability(
     jobs = stability_module.jobs(part, case or [], *wished)
     with _working("stability") as say:
         results = list(stability_module.results(jobs, workers, say))
+        if plots:
+            say("plots")
+            stability_module.draw(_folder(plots), workers)
     if as_json:
         print(stability_module.as_json(results))
     else:
@@ -290,6 +294,15 @@ def _print_csv(trajectory: Trajectory) -> None:
     except BrokenPipeError:
         # What is left in the buffer has nowhere to go.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _folder(path: Path) -> Path:
+    """A folder to write into, made where it is missing."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UserError(f"{path}: {error.strerror}") from error
+    return path
 
 
 def _writable(file: Path | str) -> Path:

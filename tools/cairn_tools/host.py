@@ -223,6 +223,9 @@ class World:
     def set_layers(self, body: int, layer: int, mask: int) -> None:
         self._checked("body_set_layers", body, layer, mask)
 
+    def set_damping(self, body: int, linear: float, angular: float) -> None:
+        self._checked("body_set_damping", body, linear, angular)
+
     def mass(self, body: int) -> float:
         return self.call("body_mass", body)
 

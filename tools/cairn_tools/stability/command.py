@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from fnmatch import fnmatch
+from pathlib import Path
 
 from .. import engine as engine_module
 from ..errors import UserError
@@ -55,6 +56,13 @@ def results(listed: list[Job], workers: int, say: Callable[[str], None]) -> Iter
         for k, (job, future) in enumerate(zip(listed, waiting, strict=True)):
             say(f"{k + 1} of {len(listed)}: {' '.join(job)}")
             yield future.result()
+
+
+def draw(folder: Path, workers: int) -> list[Path]:
+    # Drawing is slow to load: only who asks for it waits.
+    from . import plots
+
+    return plots.write(folder, workers)
 
 
 def as_json(got: list[Result]) -> str:

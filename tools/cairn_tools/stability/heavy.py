@@ -18,7 +18,7 @@ SLAB = "slab of {ratio:g} on a heap of 18 boxes of 1, n = {n}"
 PEERS = "largest ratio that holds: slides 1, box2d-lite 10, Chipmunk 10, Box2D 100 at 36 mm"
 
 
-def _column(bench: Bench, densities: list[float], offset: float = 0.0, substeps: int = 4) -> tuple[np.ndarray, float]:
+def column(bench: Bench, densities: list[float], offset: float = 0.0, substeps: int = 4) -> tuple[np.ndarray, float]:
     """Unit boxes on one another, from the lowest up; the offset is the last one's."""
     world = bench.world(substeps=substeps)
     floor(world)
@@ -37,17 +37,17 @@ def _stands(states: np.ndarray, depth: float, limit: float) -> Iterator[Figure]:
 @case("box of mass {ratio:g} on one of 1, offset {offset}, n = 4: penetration at most 1 mm", quick=True, peers=PEERS,
       over={"ratio": RATIOS, "offset": [0.0, 0.3]}, baseline=True)  # fmt: skip
 def heavy(bench: Bench, ratio: float, offset: float) -> Iterator[Figure]:
-    yield from _stands(*_column(bench, [1.0, ratio], offset), 0.001)
+    yield from _stands(*column(bench, [1.0, ratio], offset), 0.001)
 
 
 @case("heavy ({ratio:g}), light, light from the top", over={"ratio": RATIOS}, quick=True, peers=PEERS)
 def heavy_light_light(bench: Bench, ratio: float) -> Iterator[Figure]:
-    yield from _stands(*_column(bench, [1.0, 1.0, ratio]), 0.001)
+    yield from _stands(*column(bench, [1.0, 1.0, ratio]), 0.001)
 
 
 @case("heavy ({ratio:g}), light, heavy from the top", over={"ratio": RATIOS}, quick=True, peers=PEERS)
 def heavy_light_heavy(bench: Bench, ratio: float) -> Iterator[Figure]:
-    yield from _stands(*_column(bench, [ratio, 1.0, ratio]), 0.001)
+    yield from _stands(*column(bench, [ratio, 1.0, ratio]), 0.001)
 
 
 @case(
@@ -57,12 +57,12 @@ def heavy_light_heavy(bench: Bench, ratio: float) -> Iterator[Figure]:
     peers=PEERS,
 )
 def alternating(bench: Bench, ratio: float) -> Iterator[Figure]:
-    yield from _stands(*_column(bench, [1.0, ratio] * 4), 0.003)
+    yield from _stands(*column(bench, [1.0, ratio] * 4), 0.003)
 
 
 @case("light on heavy, ratio {ratio:g}", over={"ratio": RATIOS}, quick=True)
 def light_on_heavy(bench: Bench, ratio: float) -> Iterator[Figure]:
-    yield from _stands(*_column(bench, [ratio, 1.0]), 0.005)
+    yield from _stands(*column(bench, [ratio, 1.0]), 0.005)
 
 
 def _slab(bench: Bench, ratio: float, substeps: int) -> tuple[np.ndarray, float]:

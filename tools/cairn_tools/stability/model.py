@@ -130,6 +130,8 @@ def case(
 
 
 def _word(value: Any) -> str:
+    if value == float("inf"):
+        return "limit"
     if isinstance(value, float):
         return f"{value:g}".replace("e+0", "e")
     return str(value)

@@ -82,7 +82,7 @@ def _ball(bench: Bench, e: float) -> tuple:
 
 
 @case("ball from 5 m, e = {e:g}: five later apexes within 0.1 %", over={"e": [0.0, 0.5, 0.9, 1.0]}, quick=True,
-      peers="e = 1: slides 17 m, Chipmunk 5.03, Box2D 4.89", baseline=True)  # fmt: skip
+      peers="e = 1: slides 17 m, Chipmunk 5.03, Box2D 4.89")  # fmt: skip
 def ball(bench: Bench, e: float) -> Iterator[Figure]:
     world, body = _ball(bench, e)
     states = world.record(900, 1, [body])[:, 0]
@@ -99,7 +99,7 @@ def ball(bench: Bench, e: float) -> Iterator[Figure]:
     yield most("worst apex", worst, 0.001, "%")
 
 
-@case("elastic ball from 5 m, 60 s: energy within 0.05 % of the start all along", quick=True, baseline=True,
+@case("elastic ball from 5 m, 60 s: energy within 0.05 % of the start all along", quick=True,
       peers="later apexes of 5 m: slides 17, Chipmunk 5.03, Box2D 4.89")  # fmt: skip
 def elastic_ball(bench: Bench) -> Iterator[Figure]:
     world, body = _ball(bench, 1.0)

@@ -38,6 +38,8 @@ def _text(figure: Figure) -> str:
 def verdict(result: Result) -> str:
     if result.error:
         return "[red]breaks"
+    if result.ok and all(figure.stretch and not figure.ok for figure in result.figures):
+        return "[yellow]stretch: open"
     if result.ok:
         return "[green]holds"
     return "[red]falls short" if result.decides else "[yellow]falls"

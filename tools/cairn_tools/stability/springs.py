@@ -208,10 +208,10 @@ CURTAIN = "curtain of 15 x 10 beads of 1 kg, k = {k:g}, damping ratios 0, 0.1, 1
 @case(CURTAIN, over={"k": QUICK}, quick=True, peers=CURTAIN_PEERS)
 @case(CURTAIN, over={"k": LONG}, peers=CURTAIN_PEERS)
 def curtain(bench: Bench, k: float) -> Iterator[Figure]:
-    yield from _each(bench, k, _curtain)
+    yield from _each(bench, k, curtain_of)
 
 
-def _curtain(bench: Bench, k: float, zeta: float) -> Iterator[Figure]:
+def curtain_of(bench: Bench, k: float, zeta: float) -> Iterator[Figure]:
     columns, rows, pitch = 15, 10, 0.4
     places = [(pitch * (c - 7), 8.0 - pitch * r) for r in range(rows) for c in range(columns)]
     links = [(i, i + columns) for i in range(columns * (rows - 1))]
