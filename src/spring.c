@@ -1,6 +1,9 @@
 /* Springs: their pool and what the game may ask of them. How they pull is spring_solve.c's. */
 #include "spring_solve.h"
 
+/* m; a little less than an offset reaches. */
+#define REST_LENGTH_MAX CAIRN_F(500)
+
 /* ---- ids and the pool ---- */
 
 static bool holds(const cairn_world *world, cairn_spring_id id)
@@ -161,7 +164,7 @@ static cairn_status check(cairn_world *world, const cairn_spring_def *def)
         return CAIRN_ERROR_STALE;
     }
     cairn_real far = CAIRN_SHAPE_RADIUS_MAX;
-    if (cairn_body_id_equal(def->a, def->b) || def->rest_length > 2 * far || !is_amount_valid(def->stiffness)
+    if (cairn_body_id_equal(def->a, def->b) || def->rest_length > REST_LENGTH_MAX || !is_amount_valid(def->stiffness)
         || !is_amount_valid(def->damping) || def->anchor_a.x > far || def->anchor_a.x < -far || def->anchor_a.y > far
         || def->anchor_a.y < -far || def->anchor_b.x > far || def->anchor_b.x < -far || def->anchor_b.y > far || def->anchor_b.y < -far) {
         return CAIRN_ERROR_RANGE;
@@ -252,7 +255,7 @@ cairn_status cairn_spring_set(cairn_world *world, cairn_spring_id id, cairn_real
     if (spring == NULL) {
         return status;
     }
-    if (rest_length < 0 || rest_length > 2 * CAIRN_SHAPE_RADIUS_MAX || !is_amount_valid(stiffness) || !is_amount_valid(damping)) {
+    if (rest_length < 0 || rest_length > REST_LENGTH_MAX || !is_amount_valid(stiffness) || !is_amount_valid(damping)) {
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
     spring->rest_length = cairn_offset_from_real(rest_length);

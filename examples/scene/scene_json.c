@@ -307,7 +307,7 @@ static void read_polygon(reader *r, const cJSON *list, const char *place, cairn_
     for (const cJSON *item = list->child; item != NULL; item = item->next) {
         char name[16];
         snprintf(name, sizeof name, "[%d]", k);
-        points[k++] = pair_of(r, item, place, name, (range){-250, 250, required});
+        points[k++] = pair_of(r, item, place, name, (range){-125, 125, required});
     }
     if (!r->failed) {
         check_status(r, cairn_polygon_init(polygon, points, count), place);
@@ -323,7 +323,7 @@ static void read_regular(reader *r, const cJSON *object, const char *place, cair
     }
     only(r, object, place, known);
     const int sides = integer(r, object, place, "sides", (range){3, CAIRN_MAX_VERTICES, required});
-    const cairn_real radius = real(r, object, place, "radius", (range){0.001, 250, required});
+    const cairn_real radius = real(r, object, place, "radius", (range){0.001, 125, required});
     if (!r->failed) {
         check_status(r, cairn_polygon_init_regular(polygon, sides, radius), place);
     }
@@ -349,10 +349,10 @@ static const cairn_shape *read_shape(reader *r, const cJSON *object, const char 
     place_of(place, "shapes.%s.%s", name, item->string);
     const cairn_shape *shape = plain;
     if (strcmp(item->string, "circle") == 0) {
-        const double radius = value_of(r, item, place, "", (range){0.001, 250, required});
+        const double radius = value_of(r, item, place, "", (range){0.001, 125, required});
         plain_shape(plain, &cairn_circle_class, cairn_vec2_of(CAIRN_F(radius), 0));
     } else if (strcmp(item->string, "box") == 0) {
-        plain_shape(plain, &cairn_box_class, pair_of(r, item, place, "", (range){0.001, 500, required}));
+        plain_shape(plain, &cairn_box_class, pair_of(r, item, place, "", (range){0.001, 250, required}));
     } else if (strcmp(item->string, "regular") == 0) {
         read_regular(r, item, place, polygon);
         shape = &polygon->shape;

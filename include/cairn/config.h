@@ -6,12 +6,12 @@
 #include CAIRN_CONFIG
 #endif
 
-/* Most vertices of a polygon, 3 to 16. Sets the size of a cairn_polygon and the stack of the narrow phase. */
+/* Most vertices of a polygon, 4 (a box has four) to 16. Sets the size of a cairn_polygon and the stack of the narrow phase. */
 #ifndef CAIRN_MAX_VERTICES
 #define CAIRN_MAX_VERTICES 8
 #endif
-#if CAIRN_MAX_VERTICES < 3 || CAIRN_MAX_VERTICES > 16
-#error "CAIRN_MAX_VERTICES must be 3 to 16"
+#if CAIRN_MAX_VERTICES < 4 || CAIRN_MAX_VERTICES > 16
+#error "CAIRN_MAX_VERTICES must be 4 to 16"
 #endif
 
 /* Called with 0 when an invariant of the library's own is broken. A game may route it or compile it out. */

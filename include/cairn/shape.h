@@ -18,8 +18,11 @@ struct cairn_manifold;
 struct cairn_pose;
 struct cairn_shape;
 
-/* Sizes a shape may have: radius of a circle, distance of the farthest vertex from the centre, in metres. */
-#define CAIRN_SHAPE_RADIUS_MAX CAIRN_F(250)
+/*
+ * Sizes a shape may have: radius of a circle, distance of the farthest vertex from the centre, in metres. Four times
+ * the largest stays within the reach of an offset (512 m), so that the far corners of two bodies that touch do too.
+ */
+#define CAIRN_SHAPE_RADIUS_MAX CAIRN_F(125)
 #define CAIRN_SHAPE_RADIUS_MIN CAIRN_F(0.001)
 
 typedef struct cairn_mass_data {
@@ -73,7 +76,7 @@ typedef struct cairn_polygon {
 } cairn_polygon;
 
 /*
- * Make the convex polygon with these corners, in either direction, at most CAIRN_MAX_VERTICES, within 250 m of the
+ * Make the convex polygon with these corners, in either direction, at most CAIRN_MAX_VERTICES, within 125 m of the
  * origin. Points are relative to the body's position; the body turns about their centroid.
  * CAIRN_ERROR_SHAPE if it is concave, self-crossing, has coinciding or collinear corners, or is thinner than 1 mm;
  * CAIRN_ERROR_RANGE if there are too few or too many points.

@@ -19,7 +19,7 @@ typedef struct cairn_spring_id {
 
 typedef struct cairn_spring_def {
     cairn_body_id a, b;
-    cairn_vec2 anchor_a, anchor_b; /* in the frames of the bodies, m */
+    cairn_vec2 anchor_a, anchor_b; /* in the frames of the bodies, m; each within 125 along x and y */
     cairn_real rest_length;        /* m, 0 to 500; negative: the distance of the anchors now */
     cairn_wide stiffness;          /* N/m, 0 to 1e9 */
     cairn_wide damping;            /* N s/m, 0 to 1e9 */

@@ -593,7 +593,7 @@ void test_create_refuses_numbers_out_of_range(void)
     bad = def;
     bad.damping = cairn_wide_from_int(1000000001);
     assert_create_refused(CAIRN_ERROR_RANGE, &bad);
-    static const cairn_vec2 far[] = { { CAIRN_F(250.1), 0 }, { CAIRN_F(-250.1), 0 }, { 0, CAIRN_F(250.1) }, { 0, CAIRN_F(-250.1) } };
+    static const cairn_vec2 far[] = { { CAIRN_F(125.1), 0 }, { CAIRN_F(-125.1), 0 }, { 0, CAIRN_F(125.1) }, { 0, CAIRN_F(-125.1) } };
     for (int i = 0; i < 4; i++) {
         bad = def;
         bad.anchor_a = far[i];
@@ -604,6 +604,7 @@ void test_create_refuses_numbers_out_of_range(void)
     }
     bad = def;
     bad.rest_length = CAIRN_F(500);
+    bad.anchor_a = bad.anchor_b = at(CAIRN_F(125), CAIRN_F(-125));
     bad.stiffness = bad.damping = cairn_wide_from_int(1000000000);
     join(&bad);
 }

@@ -20,7 +20,7 @@ ALL_LAYERS = 0xFFFF
 
 # The engine's limits (include/cairn/shape.h, body.h): metres of radius or thickness, kilograms.
 SMALLEST_LENGTH = 1e-3
-LARGEST_REACH = 250
+LARGEST_REACH = 125
 MASSES = (1e-7, 1e9)
 
 
