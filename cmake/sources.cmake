@@ -3,6 +3,8 @@ set(CAIRN_SOURCES
     src/arbiter.c
     src/arith_fixed.c
     src/body.c
+    src/body_force.c
+    src/body_state.c
     src/bounce.c
     src/broad_pairs.c
     src/collide_box.c

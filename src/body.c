@@ -1,4 +1,4 @@
-/* Bodies: their pool, their state as the game sees it, and their motion in the step. */
+/* Bodies: their pool, and what the game may change of them. What it may ask is in body_state.c, forces in body_force.c. */
 #include "engine.h"
 #include <cairn/spring.h>
 
@@ -28,8 +28,7 @@ cairn_body *cairn_body_find(cairn_world *world, cairn_body_id id)
     return &world->bodies[id.index - 1];
 }
 
-/* The same for calls that change the body; *status says why not. */
-static cairn_body *find_to_change(cairn_world *world, cairn_body_id id, cairn_status *status)
+cairn_body *cairn_body_find_to_change(cairn_world *world, cairn_body_id id, cairn_status *status)
 {
     cairn_body *body = NULL;
     if (world == NULL) {
@@ -39,16 +38,6 @@ static cairn_body *find_to_change(cairn_world *world, cairn_body_id id, cairn_st
     } else {
         body = cairn_body_find(world, id);
         *status = body == NULL ? CAIRN_ERROR_STALE : CAIRN_OK;
-    }
-    return body;
-}
-
-static cairn_body *find_dynamic(cairn_world *world, cairn_body_id id, cairn_status *status)
-{
-    cairn_body *body = find_to_change(world, id, status);
-    if (body != NULL && !cairn_body_is_dynamic(body)) {
-        *status = cairn_fail(world, CAIRN_ERROR_KIND);
-        body = NULL;
     }
     return body;
 }
@@ -139,8 +128,7 @@ static void update_plain(cairn_body *body)
     body->flags = (uint16_t)(plain ? body->flags | CAIRN_BODY_PLAIN : body->flags & ~CAIRN_BODY_PLAIN);
 }
 
-/* A shape's origin relative to its centre of mass, in the world. */
-static void centroid_of(const cairn_body *body, cairn_offset *x, cairn_offset *y)
+void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *y)
 {
     const cairn_polygon *polygon = body->shape->polygon;
     *x = *y = 0;
@@ -155,7 +143,7 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     cairn_offset cx, cy;
     body->angle = angle;
     cairn_angle_rotation(angle, &body->cosine, &body->sine);
-    centroid_of(body, &cx, &cy);
+    cairn_body_centroid(body, &cx, &cy);
     body->x = position.x;
     body->y = position.y;
     body->x_residue = cairn_residue_zero();
@@ -242,7 +230,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_def *def)
 cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
@@ -259,151 +247,6 @@ cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
     return CAIRN_OK;
 }
 
-/* ---- what the game may ask ---- */
-
-static cairn_vec2 origin_of(const cairn_body *body)
-{
-    cairn_offset cx, cy;
-    centroid_of(body, &cx, &cy);
-    cairn_real x = body->x, y = body->y;
-    cairn_residue rx = body->x_residue, ry = body->y_residue;
-    cairn_coordinate_shift(&x, &rx, -cx);
-    cairn_coordinate_shift(&y, &ry, -cy);
-    return cairn_vec2_of(cairn_coordinate_round(x, rx), cairn_coordinate_round(y, ry));
-}
-
-cairn_vec2 cairn_body_position(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_vec2_of(0, 0) : origin_of(body);
-}
-
-static cairn_vec2 center_of(const cairn_body *body)
-{
-    return cairn_vec2_of(cairn_coordinate_round(body->x, body->x_residue), cairn_coordinate_round(body->y, body->y_residue));
-}
-
-cairn_vec2 cairn_body_center(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_vec2_of(0, 0) : center_of(body);
-}
-
-cairn_angle cairn_body_angle(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? 0 : body->angle;
-}
-
-static cairn_vec2 velocity_of(const cairn_world *world, const cairn_body *body)
-{
-    return cairn_vec2_of(cairn_real_from_motion(body->vx, world->inverse_substep), cairn_real_from_motion(body->vy, world->inverse_substep));
-}
-
-static cairn_real spin_of(const cairn_world *world, const cairn_body *body)
-{
-    return cairn_real_from_motion(body->w, cairn_wide_mul(body->inverse_gyration, world->inverse_substep));
-}
-
-cairn_vec2 cairn_body_velocity(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_vec2_of(0, 0) : velocity_of(world, body);
-}
-
-cairn_real cairn_body_angular_velocity(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? 0 : spin_of(world, body);
-}
-
-/* A point relative to the centre of mass. */
-static cairn_vec2 arm_to(const cairn_body *body, cairn_vec2 point)
-{
-    cairn_vec2 center = center_of(body);
-    return cairn_vec2_of(cairn_real_sub(point.x, center.x), cairn_real_sub(point.y, center.y));
-}
-
-/* v + cross(w, r) */
-cairn_vec2 cairn_body_velocity_at(cairn_world *world, cairn_body_id id, cairn_vec2 point)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    if (body == NULL) {
-        return cairn_vec2_of(0, 0);
-    }
-    cairn_vec2 v = velocity_of(world, body), r = arm_to(body, point);
-    cairn_real spin = spin_of(world, body);
-    return cairn_vec2_of(cairn_real_sub(v.x, cairn_real_mul(spin, r.y)), cairn_real_add(v.y, cairn_real_mul(spin, r.x)));
-}
-
-cairn_vec2 cairn_body_to_world(cairn_world *world, cairn_body_id id, cairn_vec2 local)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    if (body == NULL) {
-        return cairn_vec2_of(0, 0);
-    }
-    cairn_vec2 origin = origin_of(body);
-    return cairn_vec2_of(cairn_real_add(origin.x, cairn_real_turn(local.x, -local.y, body->cosine, body->sine)),
-                         cairn_real_add(origin.y, cairn_real_turn(local.x, local.y, body->sine, body->cosine)));
-}
-
-cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 point)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    if (body == NULL) {
-        return cairn_vec2_of(0, 0);
-    }
-    cairn_vec2 origin = origin_of(body);
-    cairn_real x = cairn_real_sub(point.x, origin.x), y = cairn_real_sub(point.y, origin.y);
-    return cairn_vec2_of(cairn_real_turn(x, y, body->cosine, body->sine), cairn_real_turn(x, y, -body->sine, body->cosine));
-}
-
-cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_wide_from_int(0) : body->mass;
-}
-
-/* m rho^2 */
-cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    if (body == NULL || cairn_wide_is_zero(body->mass)) {
-        return cairn_wide_from_int(0);
-    }
-    return cairn_wide_div(body->mass, cairn_wide_mul(body->inverse_gyration, body->inverse_gyration));
-}
-
-const cairn_shape *cairn_body_shape(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? NULL : body->shape;
-}
-
-cairn_body_type cairn_body_get_type(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? CAIRN_DYNAMIC : cairn_body_type_of(body);
-}
-
-void *cairn_body_user(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? NULL : body->user;
-}
-
-bool cairn_body_is_awake(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body != NULL && cairn_body_is_active(body);
-}
-
-bool cairn_body_is_sensor(cairn_world *world, cairn_body_id id)
-{
-    const cairn_body *body = cairn_body_find(world, id);
-    return body != NULL && (body->flags & CAIRN_BODY_SENSOR) != 0;
-}
-
 /* ---- what the game may change ---- */
 
 void cairn_body_wake_up(cairn_world *world, cairn_body *body)
@@ -416,7 +259,7 @@ void cairn_body_wake_up(cairn_world *world, cairn_body *body)
 cairn_status cairn_body_wake(cairn_world *world, cairn_body_id id)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body != NULL) {
         cairn_body_wake_up(world, body);
     }
@@ -426,7 +269,7 @@ cairn_status cairn_body_wake(cairn_world *world, cairn_body_id id)
 cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cairn_vec2 position, cairn_angle angle)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
@@ -442,7 +285,7 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
 
 static cairn_body *find_mobile(cairn_world *world, cairn_body_id id, cairn_status *status)
 {
-    cairn_body *body = find_to_change(world, id, status);
+    cairn_body *body = cairn_body_find_to_change(world, id, status);
     if (body != NULL && cairn_body_type_of(body) == CAIRN_STATIC) {
         *status = cairn_fail(world, CAIRN_ERROR_KIND);
         body = NULL;
@@ -476,7 +319,7 @@ cairn_status cairn_body_set_angular_velocity(cairn_world *world, cairn_body_id i
 cairn_status cairn_body_set_material(cairn_world *world, cairn_body_id id, const cairn_material *material)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
@@ -499,7 +342,7 @@ cairn_status cairn_body_set_material(cairn_world *world, cairn_body_id id, const
 cairn_status cairn_body_set_layers(cairn_world *world, cairn_body_id id, uint16_t layer, uint16_t mask)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body != NULL) {
         cairn_arbiters_wake_partners(world, (uint16_t)(id.index - 1));
         cairn_body_wake_up(world, body);
@@ -513,7 +356,7 @@ cairn_status cairn_body_set_layers(cairn_world *world, cairn_body_id id, uint16_
 cairn_status cairn_body_set_gravity_scale(cairn_world *world, cairn_body_id id, cairn_real scale)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
@@ -529,7 +372,7 @@ cairn_status cairn_body_set_gravity_scale(cairn_world *world, cairn_body_id id, 
 cairn_status cairn_body_set_damping(cairn_world *world, cairn_body_id id, cairn_real linear, cairn_real angular)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
@@ -545,89 +388,11 @@ cairn_status cairn_body_set_damping(cairn_world *world, cairn_body_id id, cairn_
 cairn_status cairn_body_set_user(cairn_world *world, cairn_body_id id, void *user)
 {
     cairn_status status;
-    cairn_body *body = find_to_change(world, id, &status);
+    cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body != NULL) {
         body->user = user;
     }
     return status;
-}
-
-/* r x f */
-static cairn_real cross(cairn_vec2 r, cairn_vec2 f) { return cairn_real_sub(cairn_real_mul(r.x, f.y), cairn_real_mul(r.y, f.x)); }
-
-/* Add a force's (or impulse's) velocity change: `per_mass` is h^2 (or h). */
-static void add_linear(cairn_body *body, cairn_motion *x, cairn_motion *y, cairn_vec2 amount, cairn_wide per_mass)
-{
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
-        cairn_wide k = cairn_wide_div(per_mass, body->mass);
-        *x = cairn_motion_add(*x, cairn_motion_from_real(amount.x, k));
-        *y = cairn_motion_add(*y, cairn_motion_from_real(amount.y, k));
-    }
-}
-
-/* The same for a torque: rho T / I = T / (m rho). */
-static void add_angular(cairn_body *body, cairn_motion *w, cairn_real amount, cairn_wide per_mass)
-{
-    cairn_wide k = cairn_wide_mul(cairn_wide_div(per_mass, body->mass), body->inverse_gyration);
-    *w = cairn_motion_add(*w, cairn_motion_from_real(amount, k));
-}
-
-cairn_status cairn_body_apply_force(cairn_world *world, cairn_body_id id, cairn_vec2 force)
-{
-    cairn_status status;
-    cairn_body *body = find_dynamic(world, id, &status);
-    if (body != NULL) {
-        cairn_body_wake_up(world, body);
-        add_linear(body, &body->ux, &body->uy, force, cairn_wide_mul(world->substep, world->substep));
-    }
-    return status;
-}
-
-cairn_status cairn_body_apply_torque(cairn_world *world, cairn_body_id id, cairn_real torque)
-{
-    cairn_status status;
-    cairn_body *body = find_dynamic(world, id, &status);
-    if (body != NULL) {
-        cairn_body_wake_up(world, body);
-        add_angular(body, &body->uw, torque, cairn_wide_mul(world->substep, world->substep));
-    }
-    return status;
-}
-
-cairn_status cairn_body_apply_force_at(cairn_world *world, cairn_body_id id, cairn_vec2 force, cairn_vec2 point)
-{
-    cairn_status status = cairn_body_apply_force(world, id, force);
-    return status != CAIRN_OK ? status : cairn_body_apply_torque(world, id, cross(arm_to(cairn_body_find(world, id), point), force));
-}
-
-cairn_status cairn_body_apply_impulse(cairn_world *world, cairn_body_id id, cairn_vec2 impulse)
-{
-    cairn_status status;
-    cairn_body *body = find_dynamic(world, id, &status);
-    if (body != NULL) {
-        cairn_body_wake_up(world, body);
-        add_linear(body, &body->vx, &body->vy, impulse, world->substep);
-        cairn_body_limit_speed(world, body);
-    }
-    return status;
-}
-
-cairn_status cairn_body_apply_angular_impulse(cairn_world *world, cairn_body_id id, cairn_real impulse)
-{
-    cairn_status status;
-    cairn_body *body = find_dynamic(world, id, &status);
-    if (body != NULL) {
-        cairn_body_wake_up(world, body);
-        add_angular(body, &body->w, impulse, world->substep);
-        cairn_body_limit_speed(world, body);
-    }
-    return status;
-}
-
-cairn_status cairn_body_apply_impulse_at(cairn_world *world, cairn_body_id id, cairn_vec2 impulse, cairn_vec2 point)
-{
-    cairn_status status = cairn_body_apply_impulse(world, id, impulse);
-    return status != CAIRN_OK ? status : cairn_body_apply_angular_impulse(world, id, cross(arm_to(cairn_body_find(world, id), point), impulse));
 }
 
 cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)

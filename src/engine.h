@@ -68,6 +68,12 @@ static inline cairn_status cairn_fail(cairn_world *world, cairn_status status)
 
 /* ---- body.c ---- */
 cairn_body *cairn_body_find(cairn_world *world, cairn_body_id id); /* null and the error set if stale */
+/* The same for calls that change the body; *status says why not. */
+cairn_body *cairn_body_find_to_change(cairn_world *world, cairn_body_id id, cairn_status *status);
+/* The centre of mass relative to the shape's origin, in the world. */
+void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *y);
+/* A point relative to the centre of mass. */
+cairn_vec2 cairn_body_arm(const cairn_body *body, cairn_vec2 point);
 cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body);
 void cairn_body_wake_up(cairn_world *world, cairn_body *body);
 

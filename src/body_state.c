@@ -1,0 +1,144 @@
+/* What the game may ask of a body: where it is, how it moves, what it is. */
+#include "engine.h"
+
+static cairn_vec2 origin_of(const cairn_body *body)
+{
+    cairn_offset cx, cy;
+    cairn_body_centroid(body, &cx, &cy);
+    cairn_real x = body->x, y = body->y;
+    cairn_residue rx = body->x_residue, ry = body->y_residue;
+    cairn_coordinate_shift(&x, &rx, -cx);
+    cairn_coordinate_shift(&y, &ry, -cy);
+    return cairn_vec2_of(cairn_coordinate_round(x, rx), cairn_coordinate_round(y, ry));
+}
+
+cairn_vec2 cairn_body_position(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : origin_of(body);
+}
+
+static cairn_vec2 center_of(const cairn_body *body)
+{
+    return cairn_vec2_of(cairn_coordinate_round(body->x, body->x_residue), cairn_coordinate_round(body->y, body->y_residue));
+}
+
+cairn_vec2 cairn_body_center(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : center_of(body);
+}
+
+cairn_angle cairn_body_angle(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? 0 : body->angle;
+}
+
+static cairn_vec2 velocity_of(const cairn_world *world, const cairn_body *body)
+{
+    return cairn_vec2_of(cairn_real_from_motion(body->vx, world->inverse_substep), cairn_real_from_motion(body->vy, world->inverse_substep));
+}
+
+static cairn_real spin_of(const cairn_world *world, const cairn_body *body)
+{
+    return cairn_real_from_motion(body->w, cairn_wide_mul(body->inverse_gyration, world->inverse_substep));
+}
+
+cairn_vec2 cairn_body_velocity(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_vec2_of(0, 0) : velocity_of(world, body);
+}
+
+cairn_real cairn_body_angular_velocity(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? 0 : spin_of(world, body);
+}
+
+cairn_vec2 cairn_body_arm(const cairn_body *body, cairn_vec2 point)
+{
+    cairn_vec2 center = center_of(body);
+    return cairn_vec2_of(cairn_real_sub(point.x, center.x), cairn_real_sub(point.y, center.y));
+}
+
+/* v + cross(w, r) */
+cairn_vec2 cairn_body_velocity_at(cairn_world *world, cairn_body_id id, cairn_vec2 point)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 v = velocity_of(world, body), r = cairn_body_arm(body, point);
+    cairn_real spin = spin_of(world, body);
+    return cairn_vec2_of(cairn_real_sub(v.x, cairn_real_mul(spin, r.y)), cairn_real_add(v.y, cairn_real_mul(spin, r.x)));
+}
+
+cairn_vec2 cairn_body_to_world(cairn_world *world, cairn_body_id id, cairn_vec2 local)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 origin = origin_of(body);
+    return cairn_vec2_of(cairn_real_add(origin.x, cairn_real_turn(local.x, -local.y, body->cosine, body->sine)),
+                         cairn_real_add(origin.y, cairn_real_turn(local.x, local.y, body->sine, body->cosine)));
+}
+
+cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 point)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL) {
+        return cairn_vec2_of(0, 0);
+    }
+    cairn_vec2 origin = origin_of(body);
+    cairn_real x = cairn_real_sub(point.x, origin.x), y = cairn_real_sub(point.y, origin.y);
+    return cairn_vec2_of(cairn_real_turn(x, y, body->cosine, body->sine), cairn_real_turn(x, y, -body->sine, body->cosine));
+}
+
+cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? cairn_wide_from_int(0) : body->mass;
+}
+
+/* m rho^2 */
+cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    if (body == NULL || cairn_wide_is_zero(body->mass)) {
+        return cairn_wide_from_int(0);
+    }
+    return cairn_wide_div(body->mass, cairn_wide_mul(body->inverse_gyration, body->inverse_gyration));
+}
+
+const cairn_shape *cairn_body_shape(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? NULL : body->shape;
+}
+
+cairn_body_type cairn_body_get_type(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? CAIRN_DYNAMIC : cairn_body_type_of(body);
+}
+
+void *cairn_body_user(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? NULL : body->user;
+}
+
+bool cairn_body_is_awake(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body != NULL && cairn_body_is_active(body);
+}
+
+bool cairn_body_is_sensor(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body != NULL && (body->flags & CAIRN_BODY_SENSOR) != 0;
+}
