@@ -88,9 +88,14 @@ def _json(value: float) -> float | str:
     return value if abs(value) < float("inf") else str(value)
 
 
+def _is_stretch(result: Result) -> bool:
+    """A row of stretch targets alone neither holds nor falls short."""
+    return not result.error and all(figure.stretch for figure in result.figures)
+
+
 def closing(results: list[Result]) -> str:
     """One line: how many of the deciding rows hold."""
-    deciding = [result for result in results if result.decides]
+    deciding = [result for result in results if result.decides and not _is_stretch(result)]
     held = sum(result.ok for result in deciding)
     line = f"{held} of {len(deciding)} rows hold"
     baseline = [result for result in results if not result.decides]
