@@ -283,6 +283,23 @@ void test_what_hangs_still_on_a_spring_falls_asleep(void)
     ASSERT_NEAR(0.001, 4 - 0.0785398, y_of(load)); /* m g / k */
 }
 
+/* Drawn along by a spring, slower than what counts as rest: whichever end of the spring it is. */
+void test_what_hangs_on_a_moving_platform_stays_awake(void)
+{
+    for (int i = 0; i < 2; i++) {
+        cairn_body_def lift = def_at(&peg, CAIRN_F(20) * (i + 1), CAIRN_F(6));
+        lift.type = CAIRN_KINEMATIC;
+        lift.velocity.y = CAIRN_F(0.01);
+        cairn_body_id hook = make(&lift), load = put(&ball, CAIRN_F(20) * (i + 1), CAIRN_F(4));
+        cairn_spring_def def = cairn_spring_def_default(i == 0 ? hook : load, i == 0 ? load : hook);
+        def.stiffness = cairn_wide_from_int(100);
+        def.damping = cairn_wide_from_int(20);
+        cairn_spring_create(world, &def);
+        run(240);
+        TEST_ASSERT_TRUE(awake(load));
+    }
+}
+
 void test_changing_a_spring_wakes_its_ends(void)
 {
     cairn_spring_id spring;
@@ -342,4 +359,22 @@ void test_pairs_are_counted_once_in_a_step_that_wakes(void)
     run(1);
     ASSERT_BOTH_AWAKE();
     TEST_ASSERT_EQUAL_UINT16(3, stats()->pairs); /* floor and low, low and high, high and the ball */
+}
+
+CAIRN_WORLD(tight, 6, 2);
+
+/* Two balls hit a sleeper in one step, and there is room for the contact of one of them: one is lost, not one a search. */
+void test_lost_contacts_are_counted_once_in_a_step_that_wakes(void)
+{
+    world = cairn_world_init(&tight, at(0, CAIRN_F(-10)));
+    ASSERT_OK(cairn_sleep_enable(world));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    cairn_body_id id = put(&box, 0, CAIRN_F(0.5));
+    run(120);
+    TEST_ASSERT_FALSE(awake(id));
+    put_moving(&ball, CAIRN_F(-1.01), CAIRN_F(0.8), CAIRN_F(1), 0);
+    put_moving(&ball, CAIRN_F(1.01), CAIRN_F(0.8), CAIRN_F(-1), 0);
+    run(1);
+    TEST_ASSERT_TRUE(awake(id));
+    TEST_ASSERT_EQUAL_UINT32(1, stats()->dropped);
 }
