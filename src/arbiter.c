@@ -5,6 +5,12 @@
 #include "engine.h"
 #include <cairn/spring.h>
 
+/*
+ * Bodies farther from one another do not touch, being 125 m in radius at most, and their corners might be out of an
+ * offset's range. Only giants at the highest speeds get here.
+ */
+#define CENTRES_APART_MAX CAIRN_F(256)
+
 static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
 
 /* The first place whose arbiter's key is not below this one. */
@@ -153,6 +159,9 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         b = swap;
     }
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)) {
+        return;
+    }
     cairn_manifold manifold;
     if ((body_a->flags | body_b->flags) & CAIRN_BODY_FAST) {
         world->continuous->meet(world, body_a, body_b, &manifold);

@@ -72,3 +72,24 @@ void test_the_largest_circles_balance(void)
     ASSERT_NEAR(0.02, 250, y_of(id));
     ASSERT_NEAR(0.001, 0, x_of(id));
 }
+
+/* Their boxes overlap with the margin of a step's motion, but their far corners are more than 512 m apart. */
+void test_giants_that_pass_at_top_speed_stay_in_range(void)
+{
+    cairn_polygon giant;
+    ASSERT_OK(cairn_polygon_init_regular(&giant, 8, CAIRN_F(124.9)));
+    for (int substeps = 4; substeps <= 16; substeps += 12) {
+        open_yard(0);
+        ASSERT_OK(cairn_world_set_substeps(world, substeps));
+        cairn_real top = cairn_world_speed_limit(world);
+        cairn_body_def def = def_at(&giant.shape, 0, 0);
+        def.velocity = cairn_vec2_of(top, top);
+        def.angular_velocity = CAIRN_F(0.5);
+        cairn_body_id a = make(&def);
+        def.position = cairn_vec2_of(CAIRN_F(262), CAIRN_F(262));
+        def.velocity = cairn_vec2_of(-top, -top);
+        cairn_body_id b = make(&def);
+        run(2);
+        TEST_ASSERT_TRUE(x_of(b) > x_of(a)); /* nor have they swapped sides */
+    }
+}
