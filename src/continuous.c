@@ -66,8 +66,11 @@ static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
     cairn_unit time = 0;
     for (int i = 0; i < ADVANCES; i++) {
         cairn_pose pa = pose_at(a, time), pb = pose_at(b, time);
+        /* The narrow phase takes the first body's centre for the origin, and gives points relative to it. */
+        pb.x -= pa.x;
+        pb.y -= pa.y;
+        pa.x = pa.y = 0;
         cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
-        /* The solver takes points relative to the first body's centre. */
         if (out->separation <= TOUCH + TOUCH / 2 && out->count > 0) {
             out->time = time;
             return true;
@@ -90,13 +93,6 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
                       cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
     if (!find_meeting(&ca, &cb, out)) {
         out->count = 0;
-        return;
-    }
-    /* Points are relative to the first body's centre at the time of the meeting. */
-    cairn_offset x = cairn_offset_mul(ca.dx, out->time), y = cairn_offset_mul(ca.dy, out->time);
-    for (int i = 0; i < out->count; i++) {
-        out->points[i].x -= x;
-        out->points[i].y -= y;
     }
 }
 
