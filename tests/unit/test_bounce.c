@@ -90,6 +90,9 @@ void test_the_moment_of_the_impact_within_the_step_does_not_matter(void)
         cairn_body_id id = drop(&ball, &elastic, CAIRN_F(1) + CAIRN_F(0.00311) * i);
         cairn_real height = apex(id, 1);
         ASSERT_NEAR(0.0001, 0, height - CAIRN_F(1) - CAIRN_F(0.00311) * i);
+        open_yard(CAIRN_F(-10));
+        height = apex(drop(&ball, &half, CAIRN_F(1) + CAIRN_F(0.00311) * i), 1);
+        ASSERT_NEAR(0.0001, 0, 4 * height - CAIRN_F(1) - CAIRN_F(0.00311) * i);
     }
 }
 
@@ -359,6 +362,23 @@ void test_a_slipping_impact_takes_friction_times_the_normal_impulse(void)
     /* J = 4 m: 0.2 * 4 = 0.8 off the speed, 0.8 m r / I = 3.2 of spin */
     ASSERT_NEAR_VEC2(0.003, 2.2, 2, cairn_body_velocity(world, id));
     ASSERT_NEAR(0.003 * 2, -3.2, spin_of(id));
+}
+
+/* A spinning ball meets one at rest head on: friction takes as much spin from the one as it gives to the other. */
+void test_friction_between_two_balls_turns_both_alike(void)
+{
+    open_yard(0);
+    cairn_body_def def = def_at(&ball, CAIRN_F(-1.513), 0);
+    def.material = &grippy;
+    def.velocity.x = CAIRN_F(2);
+    def.angular_velocity = CAIRN_F(6);
+    cairn_body_id first = make(&def), second = put_of(&ball, &grippy, 0, 0);
+    run(30);
+    ASSERT_NEAR(0.002, 6, spin_of(first) - spin_of(second));
+    /* J = 2 m, 0.2 J of it by friction: 0.4 m r / I = 1.6 */
+    ASSERT_NEAR(0.01, -1.6, spin_of(second));
+    ASSERT_NEAR(0.002, 2, vx_of(first) + vx_of(second));
+    ASSERT_NEAR(0.002, 0, vy_of(first) + vy_of(second));
 }
 
 /* With friction enough it leaves rolling: v = 2/3 u along the floor. */
