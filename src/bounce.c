@@ -92,7 +92,7 @@ static bool detect(const cairn_world *world, impact *i, int substep)
         separation = separation < 0 ? 0 : separation;
         i->closing[k] = cairn_motion_closing(u, gravity, separation);
         if (i->closing[k] > 0) {
-            cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(i->closing[k] - u));
+            cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(cairn_motion_add(i->closing[k], -u)));
             i->time = time < i->time ? time : i->time;
             hits = true;
         }
@@ -121,8 +121,8 @@ static void resolve(const impact *i, cairn_motion *first, cairn_motion *second)
     cairn_factor pq = coupling(arbiter, linear, p->lever_a, q->lever_a, p->lever_b, q->lever_b);
     cairn_factor determinant = cairn_factor_mul(pp, qq) - cairn_factor_mul(pq, pq);
     if (determinant > CAIRN_FACTOR(0.001)) {
-        *first = cairn_motion_divide(cairn_motion_factor(bp, qq) - cairn_motion_factor(bq, pq), determinant);
-        *second = cairn_motion_divide(cairn_motion_factor(bq, pp) - cairn_motion_factor(bp, pq), determinant);
+        *first = cairn_motion_divide(cairn_motion_add(cairn_motion_factor(bp, qq), -cairn_motion_factor(bq, pq)), determinant);
+        *second = cairn_motion_divide(cairn_motion_add(cairn_motion_factor(bq, pp), -cairn_motion_factor(bp, pq)), determinant);
     }
     if (determinant <= CAIRN_FACTOR(0.001) || *first < 0 || *second < 0) {
         *first = i->closing[0] >= i->closing[1] && pp > 0 ? cairn_motion_divide(bp, pp) : 0;
@@ -144,9 +144,9 @@ static void strike(impact *i, cairn_motion impulse, cairn_dir nx, cairn_dir ny, 
 {
     cairn_motion a = -cairn_motion_share(impulse, i->arbiter->share_a), b = cairn_motion_share(impulse, i->arbiter->share_b);
     if (i->arbiter->share_a != 0) {
-        apply(i->a, cairn_motion_dir(a, nx), cairn_motion_dir(a, ny), cairn_motion_lever(a, ja));
+        apply(i->a, cairn_motion_dir(a, nx), cairn_motion_dir(a, ny), cairn_twist(a, ja));
     }
-    apply(i->b, cairn_motion_dir(b, nx), cairn_motion_dir(b, ny), cairn_motion_lever(b, jb));
+    apply(i->b, cairn_motion_dir(b, nx), cairn_motion_dir(b, ny), cairn_twist(b, jb));
 }
 
 /* Coulomb friction of the impact, from the velocity after the normal impulse. */
@@ -177,17 +177,19 @@ static velocity velocity_of(const cairn_body *body)
 }
 
 /* The change is not to be repeated by the warm start, and acts only after the impact's time. */
-static void settle(cairn_body *body, velocity before, cairn_unit time, int substep)
+static void settle(const cairn_world *world, cairn_body *body, velocity before, cairn_unit time, int substep)
 {
+    /* What the sub-steps to come may add to a displacement must fit, too. */
+    cairn_motion room = CAIRN_MOTION(7.99) - world->speed_limit * (world->substeps - substep);
     cairn_motion x = body->vx - before.x, y = body->vy - before.y, w = body->w - before.w;
     if (substep > 0) {
         body->ux += x;
         body->uy += y;
         body->uw += w;
     }
-    body->dx -= cairn_motion_unit(x, time);
-    body->dy -= cairn_motion_unit(y, time);
-    body->dw -= cairn_motion_unit(w, time);
+    body->dx = cairn_motion_clamp(cairn_motion_add(body->dx, -cairn_motion_unit(x, time)), room);
+    body->dy = cairn_motion_clamp(cairn_motion_add(body->dy, -cairn_motion_unit(y, time)), room);
+    body->dw = cairn_motion_clamp(cairn_motion_add(body->dw, -cairn_motion_unit(w, time)), room);
 }
 
 static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep)
@@ -206,8 +208,8 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep)
     strike(&i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
     strike(&i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
     rub(&i, cairn_motion_add(first, second));
-    settle(i.a, a, i.time, substep);
-    settle(i.b, b, i.time, substep);
+    settle(world, i.a, a, i.time, substep);
+    settle(world, i.b, b, i.time, substep);
     arbiter->flags |= CAIRN_ARBITER_TOUCHING;
     arbiter->rows[0].impulse = 0;
     arbiter->rows[1].impulse = 0;

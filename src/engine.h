@@ -190,12 +190,17 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
 #define CAIRN_SOFT_MASS CAIRN_RATIO(0.94785)          /* of the effective mass */
 #define CAIRN_SOFT_IMPULSE CAIRN_RATIO(0.05215)       /* of the accumulated impulse that is given back */
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
-#define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.8)
+#define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.49)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
 #define CAIRN_SWEEP_SPEED CAIRN_MOTION(0.93)
 #define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.93)
 #define CAIRN_SWEEP_SPEED_WIDE cairn_wide_div(cairn_wide_from_int(93), cairn_wide_from_int(100))
 #define CAIRN_SWEEP_SPIN_WIDE CAIRN_SWEEP_SPEED_WIDE
+/* What an impulse of any size adds to a spin: cut to what the product has room for, enough to turn a corner's spin round. */
+static inline cairn_motion cairn_twist(cairn_motion impulse, cairn_lever j)
+{
+    return cairn_motion_lever(cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX), j);
+}
 #define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(13576), cairn_wide_from_int(100000))
 
 /* ---- spring.c, through the class so that worlds without springs do not link it ---- */

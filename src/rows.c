@@ -4,10 +4,20 @@
  */
 #include "engine.h"
 
-/* 1 / (J M^-1 J^T) of a row, times (1/mA + 1/mB). */
+static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
+
+/* Whether bodies at their limits of speed leave the sweeps' sums room for a mass above 1; one of them is a pivot. */
+static bool has_room(cairn_ratio mass, cairn_lever ja, cairn_lever jb)
+{
+    cairn_motion u = CAIRN_MOTION(1.32) + magnitude(cairn_motion_lever(CAIRN_SWEEP_SPIN, ja)) + magnitude(cairn_motion_lever(CAIRN_SWEEP_SPIN, jb));
+    return cairn_motion_ratio(cairn_motion_half(u), mass) <= CAIRN_MOTION(2.75);
+}
+
+/* 1 / (J M^-1 J^T) of a row, times (1/mA + 1/mB). Where there is no room for all of it, it takes more passes. */
 static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever jb)
 {
-    return cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(arbiter->share_b, jb, jb));
+    cairn_ratio mass = cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(arbiter->share_b, jb, jb));
+    return mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
 }
 
 static cairn_lever lever(const cairn_body *body, cairn_offset arm)

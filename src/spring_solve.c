@@ -443,9 +443,9 @@ static void solve_path(cairn_world *world, uint16_t head)
         impulse = cairn_motion_add(spring->impulse, -cairn_motion_factor(impulse, spring->behind));
         cairn_motion of_a = -cairn_motion_share(impulse, spring->share_a), of_b = cairn_motion_share(impulse, spring->share_b);
         push(&world->bodies[spring->a], cairn_motion_dir(of_a, spring->direction_x), cairn_motion_dir(of_a, spring->direction_y),
-             cairn_motion_lever(of_a, spring->lever_a));
+             cairn_twist(of_a, spring->lever_a));
         push(&world->bodies[spring->b], cairn_motion_dir(of_b, spring->direction_x), cairn_motion_dir(of_b, spring->direction_y),
-             cairn_motion_lever(of_b, spring->lever_b));
+             cairn_twist(of_b, spring->lever_b));
     }
 }
 
@@ -480,8 +480,8 @@ static void solve_exactly(cairn_world *world, cairn_spring *spring)
     }
     impulse = cairn_motion_factor(impulse, mass_of(world, spring));
     cairn_motion of_a = -cairn_motion_share(impulse, spring->share_a), of_b = cairn_motion_share(impulse, spring->share_b);
-    push(a, cairn_motion_unit(of_a, r.x), cairn_motion_unit(of_a, r.y), cairn_motion_lever(of_a, spring->lever_a));
-    push(b, cairn_motion_unit(of_b, r.x), cairn_motion_unit(of_b, r.y), cairn_motion_lever(of_b, spring->lever_b));
+    push(a, cairn_motion_unit(of_a, r.x), cairn_motion_unit(of_a, r.y), cairn_twist(of_a, spring->lever_a));
+    push(b, cairn_motion_unit(of_b, r.x), cairn_motion_unit(of_b, r.y), cairn_twist(of_b, spring->lever_b));
 }
 
 void cairn_springs_substep(cairn_world *world, int substep)
