@@ -32,17 +32,18 @@ static cairn_offset sweep_of(const cairn_body *body, cairn_motion w)
     return body->shape->kind->outline == NULL ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
 }
 
-/* By the velocities of the step's start. */
+/* By the velocities of the step's start; a spin beyond the limit will be cut to it. */
 static course ahead(const cairn_world *world, const cairn_body *body, cairn_offset x, cairn_offset y)
 {
+    cairn_motion w = cairn_motion_clamp(body->w, world->spin_limit);
     course c;
     c.body = body;
     c.x = x;
     c.y = y;
     c.dx = cairn_offset_from_motion(body->vx) * world->substeps;
     c.dy = cairn_offset_from_motion(body->vy) * world->substeps;
-    c.turn = cairn_angle_from_motion(body->w * world->substeps, body->inverse_gyration);
-    c.sweep = sweep_of(body, body->w) * world->substeps;
+    c.turn = cairn_angle_from_motion(w * world->substeps, body->inverse_gyration);
+    c.sweep = sweep_of(body, w) * world->substeps;
     return c;
 }
 

@@ -17,6 +17,12 @@ static cairn_motion pressed(cairn_motion impulse)
     return impulse < 0 ? 0 : impulse > CAIRN_IMPULSE_MAX ? CAIRN_IMPULSE_MAX : impulse;
 }
 
+/* The same against a velocity that has a distance in it, and hence no bound of its own. */
+static cairn_motion pressed_against(cairn_motion impulse, cairn_motion u, cairn_ratio mass)
+{
+    return pressed(cairn_motion_add(impulse, -cairn_motion_ratio(cairn_motion_clamp(u, CAIRN_MOTION(3.9)), mass)));
+}
+
 /* How far the points of a row have come apart in this step. */
 static cairn_motion row_displacement(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row)
 {
@@ -36,10 +42,10 @@ static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const
         return 0; /* it left with its restitution in this step: the impact phase has placed it */
     }
     if (separation > 0) {
-        return pressed(row->impulse - cairn_motion_ratio(cairn_motion_add(u, separation - lean), row->mass));
+        return pressed_against(row->impulse, cairn_motion_add(u, separation - lean), row->mass);
     }
     cairn_motion push = row->gap > 0 ? cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA) : row->gap;
-    return pressed(row->impulse - cairn_motion_ratio(u + push, row->soft_mass) - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
+    return pressed_against(row->impulse - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE), cairn_motion_add(u, push), row->soft_mass);
 }
 
 static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
@@ -51,7 +57,7 @@ static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, cons
         }
         u = cairn_motion_add(u, separation);
     }
-    return pressed(row->impulse - cairn_motion_ratio(u, row->mass));
+    return pressed_against(row->impulse, u, row->mass);
 }
 
 /* Apart when the step began, or thrown apart since by its restitution. */
