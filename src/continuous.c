@@ -61,6 +61,13 @@ static cairn_pose pose_at(const course *c, cairn_unit time)
     return pose;
 }
 
+/* What holds where the narrow phase finds nothing: it sets no normal for shapes beyond any distance. */
+static void expect_nothing(cairn_manifold *out)
+{
+    out->normal_x = out->normal_y = 0;
+    out->separation = ANY_DISTANCE;
+}
+
 /* Advance until the two touch; false if they do not in this step. `out` then holds the contact. */
 static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
 {
@@ -71,6 +78,7 @@ static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
         pb.x -= pa.x;
         pb.y -= pa.y;
         pa.x = pa.y = 0;
+        expect_nothing(out);
         cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
         if (out->separation <= TOUCH + TOUCH / 2 && out->count > 0) {
             out->time = time;
@@ -125,6 +133,7 @@ static void approach_point(const cairn_pose *obstacle, cairn_manifold *out)
     at.x = at.y = 0;
     at.c = CAIRN_UNIT(1);
     at.s = 0;
+    expect_nothing(out);
     obstacle->shape->kind->collide[0](&at, obstacle, ANY_DISTANCE, out);
 }
 
