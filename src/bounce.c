@@ -78,7 +78,7 @@ static bool detect(const cairn_world *world, impact *i, int substep)
         const cairn_row *row = &arbiter->rows[k];
         cairn_motion u = row_velocity(i->a, i->b, arbiter->normal_x, arbiter->normal_y, row->lever_a, row->lever_b);
         i->closing[k] = 0;
-        if (u >= -threshold || u >= 0) {
+        if (u >= -threshold) {
             continue;
         }
         /* A pair that touched may have come apart by another impact in this sub-step: then it meets only after that. */
@@ -90,9 +90,10 @@ static bool detect(const cairn_world *world, impact *i, int substep)
             separation = cairn_motion_add(separation, cairn_motion_half(gravity * substep));
         }
         separation = separation < 0 ? 0 : separation;
-        i->closing[k] = cairn_motion_closing(u, gravity, separation);
-        if (i->closing[k] > 0) {
-            cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(cairn_motion_add(i->closing[k], -u)));
+        cairn_motion closing = cairn_motion_closing(u, gravity, separation);
+        if (closing > gravity) { /* slower than a sub-step's fall is rest, whatever the threshold */
+            i->closing[k] = closing;
+            cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(cairn_motion_add(closing, -u)));
             i->time = time < i->time ? time : i->time;
             hits = true;
         }
