@@ -63,7 +63,8 @@ static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, cons
 /* Apart when the step began, or thrown apart since by its restitution. */
 static inline bool is_apart(const cairn_arbiter *arbiter, const cairn_row *row)
 {
-    return row->gap > 0 || ((arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0);
+    (void)arbiter;
+    return row->gap > 0;
 }
 
 /* The new impulse of a row in the biased pass: soft, and pushing out. */
