@@ -175,6 +175,15 @@ void test_a_bullet_on_a_light_sheet_does_not_pass_it(void)
     TEST_ASSERT_TRUE(x_of(shot) < x_of(wall));
 }
 
+/* Nothing holds a body back that starts inside of another: it is let out. */
+void test_a_fast_body_that_starts_inside_of_another_gets_out(void)
+{
+    put_static(&box, 0, 0);
+    cairn_body_id id = put_moving(&bullet, 0, CAIRN_F(0.3), 0, CAIRN_F(60));
+    run(10);
+    TEST_ASSERT_TRUE(y_of(id) > CAIRN_F(0.5));
+}
+
 void test_layers_and_sensors_let_bullets_through(void)
 {
     cairn_body_def def = def_at(&sheet, 0, 0);
