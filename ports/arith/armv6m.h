@@ -10,6 +10,7 @@
 
 #define CAIRN_PORT_MUL16(a, b, shift) cairn_armv6m_mul16(a, b, shift)
 #define CAIRN_PORT_MUL32(a, b, shift) cairn_armv6m_mul32(a, b, shift)
+#define CAIRN_PORT_DOT16(a, b, c, d) cairn_armv6m_dot16(a, b, c, d)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv6m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_PRODUCT(a, b) cairn_armv6m_product(a, b)
 
