@@ -24,6 +24,8 @@ from . import bench as bench_module
 from . import compare as compare_module
 from . import draw, engine, scene
 from . import golden as golden_module
+from . import kept as kept_module
+from . import profile as profile_module
 from .errors import UserError
 from .stability import command as stability_module
 from .stability import report as stability_report
@@ -176,9 +178,15 @@ def bench(
     solver: SolverOption = None,
     substeps: SubstepsOption = None,
     passes: PassesOption = None,
+    profile: Annotated[bool, typer.Option("--profile", help="What stages and functions take, too.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
+    keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Instructions per step on the emulated cores, over steps 121 to 240."""
+    if keep or check:
+        _bench_record(keep)
+        return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
     results = []
@@ -186,17 +194,55 @@ def bench(
         for loaded in scenes:
             for name in cores:
                 say(f"{loaded.name} on {name}")
-                results.append(bench_module.measure(loaded, name))
+                of = (bench_module.FIRST_STEP, bench_module.LAST_STEP)
+                profiled = profile_module.measure(loaded, name, *of) if profile else None
+                results.append((bench_module.measure(loaded, name), profiled))
     if as_json:
-        print(json.dumps([asdict(result) for result in results], indent=2))
+        record = [{**asdict(cost), **(asdict(shares) if shares else {})} for cost, shares in results]
+        print(json.dumps(record, indent=2))
         return
     grid = Table(title="Instructions per step", caption="mean and worst of steps 121-240; worst of steps 1-240")
     for column in ("scene", "core", "mean", "worst", "worst from the start"):
         grid.add_column(column, justify="left" if column in ("scene", "core") else "right")
-    for result in results:
-        counts = (result.mean_instructions, result.worst_instructions, result.worst_instructions_from_start)
-        grid.add_row(result.scene, result.core, *(f"{count:,.0f}" for count in counts))
+    for cost, _ in results:
+        counts = (cost.mean_instructions, cost.worst_instructions, cost.worst_instructions_from_start)
+        grid.add_row(cost.scene, cost.core, *(f"{count:,.0f}" for count in counts))
     out.print(grid)
+    for cost, shares in results:
+        if shares:
+            out.print(_profile_table(cost, shares))
+
+
+def _bench_record(keep: bool) -> None:
+    """Writes the record, or checks it; tools/test reads the last line."""
+    started = monotonic()
+    with _working("bench") as say:
+        if keep:
+            kept_module.write(say)
+            print(f"{kept_module.FILE.relative_to(engine.ROOT)} is written")
+            return
+        lines = list(kept_module.troubles(say))
+    for line in lines:
+        print(line)
+    bad = sum(not line.startswith(" ") for line in lines)
+    counts = 2 * len(kept_module.CORES) * len(kept_module.SCENES)
+    print(f"{counts - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
+    if bad:
+        raise typer.Exit(1)
+
+
+def _profile_table(cost: bench_module.Cost, shares: profile_module.Profile) -> Table:
+    caption = "mean of steps 121-240; the compiler's own routines count as their caller's"
+    grid = Table(title=f"{cost.scene} on {cost.core}", caption=caption)
+    for column in ("stage or function", "instructions", "share"):
+        grid.add_column(column, justify="left" if column == "stage or function" else "right")
+    total = sum(shares.stages.values())
+    dearest = list(shares.functions.items())[:24]
+    for i, (name, count) in enumerate([*shares.stages.items(), *dearest]):
+        if i == len(shares.stages):
+            grid.add_section()
+        grid.add_row(name, f"{count:,.0f}", f"{100 * count / total:.1f} %")
+    return grid
 
 
 @app.command()

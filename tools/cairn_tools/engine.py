@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -85,10 +85,16 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
         with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
             image = Path(folder) / "runner.elf"
             build_image(scene, target, image)
-            qemu_run = [sys.executable, str(ROOT / "tools" / "qemu-run"), "--timeout", str(120 + steps)]
-            command = [*qemu_run, CORES[target].board, str(image), *words, "costs=1"]
-            output = _output_of(command, scene, target)
+            output = run_image(scene, target, image, [*words, "costs=1"], timeout=120 + steps)
     return _parse(output, scene, Run(arithmetic, target, steps, _no_states(scene)))
+
+
+def run_image(
+    scene: Scene, target: str, image: Path, words: list[str], options: Sequence[str] = (), timeout: int = 600
+) -> str:
+    """What the runner's firmware prints in QEMU; the options are those of tools/qemu-run."""
+    qemu_run = [sys.executable, str(ROOT / "tools" / "qemu-run"), "--timeout", str(timeout), *options]
+    return _output_of([*qemu_run, CORES[target].board, str(image), *words], scene, target)
 
 
 def table(scene: Scene, name: str) -> str:
@@ -131,6 +137,14 @@ def host_library(preset: str) -> Path:
     with _lock(preset):
         _check_build(_cmake("--build", str(BUILDS / preset), "--target", "cairn-shared"))
     return BUILDS / preset / "tools" / "host" / "libcairn-shared.so"
+
+
+def profiler() -> Path:
+    """The plugin for QEMU of tools/profile."""
+    _configure("host")
+    with _lock("host"):
+        _check_build(_cmake("--build", str(BUILDS / "host"), "--target", "cairn-profile"))
+    return BUILDS / "host" / "tools" / "profile" / "libcairn-profile.so"
 
 
 def _configure(preset: str) -> None:

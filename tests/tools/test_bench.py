@@ -1,0 +1,50 @@
+"""The counts of a step by function and the record of what steps cost."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from cairn_tools import bench, kept, profile, scene
+
+
+@pytest.fixture(scope="module")
+def stack() -> scene.Scene:
+    return scene.load(scene.find("stack10"))
+
+
+def test_the_functions_add_up_to_the_step(stack: scene.Scene) -> None:
+    shares = profile.measure(stack, "m3", bench.FIRST_STEP, bench.LAST_STEP)
+    cost = bench.measure(stack, "m3")
+    # The step's own count begins before the call and ends behind it.
+    assert sum(shares.functions.values()) == pytest.approx(cost.mean_instructions, rel=1e-3)
+    assert sum(shares.stages.values()) == pytest.approx(sum(shares.functions.values()))
+    assert all(count > 0 for count in shares.stages.values())
+
+
+def test_a_dearer_step_than_the_record_is_told_with_its_functions(
+    monkeypatch: pytest.MonkeyPatch, tmp_path, stack: scene.Scene
+) -> None:
+    monkeypatch.setattr(kept, "CORES", ("m3",))
+    monkeypatch.setattr(kept, "SCENES", (stack.name,))
+    monkeypatch.setattr(kept, "FILE", tmp_path / "bench" / "counts.json")
+    kept.write(lambda _: None)
+    assert list(kept.troubles(lambda _: None)) == []
+    record = json.loads(kept.FILE.read_text())
+    entry = record[stack.name]["m3"]
+    dearest = next(iter(entry["functions"]))
+    entry["functions"][dearest] -= int(0.05 * entry["mean"])
+    entry["mean"] = int(entry["mean"] * 0.95)
+    kept.FILE.write_text(json.dumps(record))
+    told = list(kept.troubles(lambda _: None))
+    assert len(told) == 1 + kept.SHOWN
+    assert "mean" in told[0]
+    assert dearest in told[1]
+
+
+def test_a_scene_that_is_not_on_record_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path, stack: scene.Scene) -> None:
+    monkeypatch.setattr(kept, "CORES", ("m3",))
+    monkeypatch.setattr(kept, "SCENES", (stack.name,))
+    monkeypatch.setattr(kept, "FILE", tmp_path / "counts.json")
+    kept.FILE.write_text("{}")
+    assert list(kept.troubles(lambda _: None)) == ["stack10 on m3: not on record"]
