@@ -10,8 +10,12 @@
 #include "engine.h"
 
 #define ADVANCES 24
-/* A distance that counts as touching. */
-#define TOUCH CAIRN_OFFSET(0.004)
+/* A distance that counts as touching, */
+#define HIT CAIRN_OFFSET(0.00025)
+/* and one from which a contact's normal may be told. */
+#define NEAR CAIRN_OFFSET(0.006)
+/* Turning near another body is followed in parts of the step. */
+#define TURN CAIRN_UNIT(1.0 / 16)
 /* Far beyond any motion of a step. */
 #define ANY_DISTANCE CAIRN_OFFSET(100)
 
@@ -68,31 +72,65 @@ static void expect_nothing(cairn_manifold *out)
     out->separation = ANY_DISTANCE;
 }
 
-/* Advance until the two touch; false if they do not in this step. `out` then holds the contact. */
+/* The two where they are at a time of the step. */
+static void look(const course *a, const course *b, cairn_unit time, cairn_manifold *out)
+{
+    cairn_pose pa = pose_at(a, time), pb = pose_at(b, time);
+    /* The narrow phase takes the first body's centre for the origin, and gives points relative to it. */
+    pb.x -= pa.x;
+    pb.y -= pa.y;
+    pa.x = pa.y = 0;
+    expect_nothing(out);
+    cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
+    out->time = time;
+}
+
+/* The part of the step in which `way` is covered at this speed; all of it if that is too slow. */
+static cairn_unit time_for(cairn_offset way, cairn_offset speed)
+{
+    return speed > way ? cairn_offset_fraction(way, speed) : CAIRN_UNIT(1);
+}
+
+/* How fast the two come nearer going straight, in a step. */
+static cairn_offset straight_speed(const course *a, const course *b, const cairn_manifold *at)
+{
+    return -cairn_offset_dot(b->dx - a->dx, b->dy - a->dy, at->normal_x, at->normal_y);
+}
+
+/*
+ * Advance until the two touch; false if they do not in this step. Neither going straight nor turning may cover more than the
+ * distance; but beside a body that turns, the bound on turning gives ever smaller parts, so that near it, and
+ * late, turning is followed in parts of TURN instead: a corner then grazes unseen by w^2 TURN^2 r / 8, 0.1 mm at 60 rad/s and 0.15 m.
+ * `out` holds the contact as it was seen last before they touched, for a corner that is in already may have the wrong normal.
+ * What is near the other one when the step ends has its contact too, for the forces that are not foreseen.
+ */
 static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
 {
     cairn_unit time = 0;
+    bool near = false;
     for (int i = 0; i < ADVANCES; i++) {
-        cairn_pose pa = pose_at(a, time), pb = pose_at(b, time);
-        /* The narrow phase takes the first body's centre for the origin, and gives points relative to it. */
-        pb.x -= pa.x;
-        pb.y -= pa.y;
-        pa.x = pa.y = 0;
-        expect_nothing(out);
-        cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
-        if (out->separation <= TOUCH + TOUCH / 2 && out->count > 0) {
-            out->time = time;
+        cairn_manifold now;
+        look(a, b, time, &now);
+        bool touches = now.separation <= HIT && now.count > 0, was_near = near;
+        near = now.separation <= NEAR && now.count > 0;
+        if (near && !(touches && was_near)) {
+            *out = now;
+        }
+        if (touches) {
             return true;
         }
-        cairn_offset closing = a->sweep + b->sweep - cairn_offset_dot(b->dx - a->dx, b->dy - a->dy, out->normal_x, out->normal_y);
-        cairn_offset way = out->separation > 2 * TOUCH ? out->separation - TOUCH : TOUCH;
-        if (closing <= 0 || way > cairn_offset_mul(closing, CAIRN_UNIT(1) - time)) {
-            return false;
+        cairn_offset straight = straight_speed(a, b, &now), way = now.separation > 2 * HIT ? now.separation - HIT : HIT;
+        cairn_unit part = time_for(way, straight + a->sweep + b->sweep), rest = CAIRN_UNIT(1) - time;
+        if (rest == 0 || (part >= rest && !near)) {
+            return near;
         }
-        time += cairn_offset_fraction(way, closing);
+        if (part < TURN && (near || i >= ADVANCES / 3)) {
+            part = time_for(way, straight);
+            part = part < TURN ? part : TURN;
+        }
+        time += part < rest ? part : rest;
     }
-    out->time = time;
-    return out->count > 0;
+    return near;
 }
 
 static void meet(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out)
@@ -137,6 +175,18 @@ static void approach_point(const cairn_pose *obstacle, cairn_manifold *out)
     obstacle->shape->kind->collide[0](&at, obstacle, ANY_DISTANCE, out);
 }
 
+/* Whether the nearest point of the obstacle's surface moves away from the path's body. */
+static bool parts(const course *path, const course *obstacle, const cairn_pose *pose, const cairn_manifold *contact)
+{
+    cairn_unit nx = contact->normal_x, ny = contact->normal_y;
+    cairn_offset away = cairn_offset_dot(obstacle->dx - path->dx, obstacle->dy - path->dy, nx, ny);
+    if (obstacle->sweep != 0) {
+        cairn_offset arm = cairn_offset_dot(contact->points[0].x - pose->x, contact->points[0].y - pose->y, ny, -nx);
+        away += cairn_motion_lever(cairn_offset_from_motion(obstacle->body->dw), cairn_lever_of(arm, obstacle->body->inverse_gyration));
+    }
+    return away >= 0;
+}
+
 /* How far into the step the core comes before it touches the other body; 1 if it does not. */
 static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
 {
@@ -159,8 +209,8 @@ static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
             return CAIRN_UNIT(1); /* its centre is inside already: the solver pushes it out */
         }
         cairn_offset way = contact.separation - core;
-        if (way <= TOUCH / 16) {
-            return time;
+        if (way <= HIT) {
+            return parts(&path, &obstacle, &pose, &contact) ? CAIRN_UNIT(1) : time;
         }
         cairn_offset closing = obstacle.sweep - cairn_offset_dot(obstacle.dx - path.dx, obstacle.dy - path.dy, contact.normal_x, contact.normal_y);
         if (closing <= 0 || way >= cairn_offset_mul(closing, CAIRN_UNIT(1) - time)) {

@@ -1,4 +1,5 @@
 /* Continuous collision: what is fast passes through nothing, bounces as it should, and hits nothing that it misses. */
+#define YARD_ARBITERS 64
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
 static const cairn_shape bullet = CAIRN_CIRCLE(CAIRN_F(0.05));
@@ -139,6 +140,26 @@ void test_a_near_miss_hits_nothing(void)
     ASSERT_NEAR(2 * LSB, 100, vx_of(shot));
 }
 
+/* At any moment of the step, a millimetre above the end of a wall: by the side of a ball, and by the corners of a dart that whirls. */
+static void assert_misses(const cairn_shape *shape, cairn_real reach, cairn_real spin)
+{
+    for (int i = 0; i < 40; i++) {
+        open_yard(0);
+        put_static(&sheet, 0, 0);
+        cairn_body_def def = def_at(shape, CAIRN_F(-3) - CAIRN_F(0.05) * i, CAIRN_F(3.001) + reach);
+        def.velocity.x = CAIRN_F(15) + CAIRN_F(3) * i;
+        def.angular_velocity = spin;
+        cairn_body_id id = make(&def);
+        run(40);
+        TEST_ASSERT_TRUE(x_of(id) > CAIRN_F(1));
+        ASSERT_NEAR(4 * LSB, 0, vx_of(id) - def.velocity.x);
+        ASSERT_NEAR(4 * LSB, 0, vy_of(id));
+    }
+}
+
+void test_what_passes_by_a_millimetre_hits_nothing(void) { assert_misses(&bullet, CAIRN_F(0.05), 0); }
+void test_what_whirls_by_within_a_millimetre_hits_nothing(void) { assert_misses(&dart, CAIRN_F(0.1119), CAIRN_F(60)); }
+
 /* Turning faster than it looks: the end of a beam of 4 m moves at 60 m/s, a metre a step. */
 void test_a_whirling_beam_does_not_pass_a_post(void)
 {
@@ -182,6 +203,25 @@ void test_a_fast_body_that_starts_inside_of_another_gets_out(void)
     cairn_body_id id = put_moving(&bullet, 0, CAIRN_F(0.3), 0, CAIRN_F(60));
     run(10);
     TEST_ASSERT_TRUE(y_of(id) > CAIRN_F(0.5));
+}
+
+/* What is pressed out of others at high speed keeps no other from falling. */
+void test_boxes_made_at_one_point_part_and_come_to_rest(void)
+{
+    static const cairn_shape crate = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(0.5)), ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1));
+    cairn_body_id ids[10];
+    open_yard(CAIRN_F(-10));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    for (int i = 0; i < 10; i++) {
+        cairn_body_def def = def_at(&crate, 0, CAIRN_F(3));
+        def.angle = CAIRN_F(0.1) * i;
+        ids[i] = make(&def);
+    }
+    run(900);
+    for (int i = 0; i < 10; i++) {
+        ASSERT_NEAR_VEC2(0.01, 0, 0, cairn_body_velocity(world, ids[i]));
+        TEST_ASSERT_TRUE(y_of(ids[i]) > CAIRN_F(0.24));
+    }
 }
 
 void test_layers_and_sensors_let_bullets_through(void)
