@@ -202,6 +202,9 @@ void cairn_bodies_finish(cairn_world *world)
         } else if (cairn_body_is_dynamic(body)) {
             calm(world, body);
         }
+        if (!is_within(body->vx, body->vy, body->w, world->speed_limit)) { /* the sweeps' own limit is a wider one */
+            cairn_body_limit_speed(world, body);
+        }
         body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING);
         move_coordinate(world, &body->x, &body->x_residue, &body->vx, body->dx);
         move_coordinate(world, &body->y, &body->y_residue, &body->vy, body->dy);

@@ -93,3 +93,22 @@ void test_giants_that_pass_at_top_speed_stay_in_range(void)
         TEST_ASSERT_TRUE(x_of(b) > x_of(a)); /* nor have they swapped sides */
     }
 }
+
+/* The heavy one's speed across the contact is 1.3 of the limit, and 1.2 of that along x: the ball is held to what there is. */
+void test_no_speed_is_above_the_limit_after_a_step(void)
+{
+    static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(1));
+    open_yard(0);
+    cairn_real top = cairn_world_speed_limit(world);
+    cairn_body_def def = def_at(&ball, 0, 0);
+    def.density = cairn_wide_from_int(1000);
+    def.velocity = at(top, top);
+    make(&def);
+    cairn_body_id id = put(&ball, CAIRN_F(1.8478), CAIRN_F(0.7654));
+    for (int i = 0; i < 4; i++) {
+        run(1);
+        TEST_ASSERT_TRUE(vx_of(id) > 0 && vx_of(id) <= top);
+        TEST_ASSERT_TRUE(size_of(vy_of(id)) <= top);
+    }
+    TEST_ASSERT_TRUE(stats()->saturations > 0);
+}
