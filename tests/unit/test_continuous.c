@@ -214,7 +214,7 @@ void test_boxes_made_at_one_point_part_and_come_to_rest(void)
     put_static(&ground, 0, CAIRN_F(-0.5));
     for (int i = 0; i < 10; i++) {
         cairn_body_def def = def_at(&crate, 0, CAIRN_F(3));
-        def.angle = CAIRN_F(0.1) * i;
+        def.angle = CAIRN_DEGREES(6) * i;
         ids[i] = make(&def);
     }
     run(900);

@@ -94,6 +94,27 @@ void test_giants_that_pass_at_top_speed_stay_in_range(void)
     }
 }
 
+/*
+ * Planks side by side, slanted so that their boxes overlap, 110 m from one another: farther than any distance that is
+ * asked for, so that the narrow phase says nothing of them, not even a normal.
+ */
+void test_fast_planks_far_from_one_another_do_not_meet(void)
+{
+    open_yard(0);
+    cairn_body_def def = def_at(&plank, 0, 0);
+    def.angle = CAIRN_DEGREES(45);
+    def.velocity = at(CAIRN_F(30), CAIRN_F(-30));
+    cairn_body_id a = make(&def);
+    def.position = at(CAIRN_F(78), CAIRN_F(-78));
+    def.velocity = at(CAIRN_F(-30), CAIRN_F(30));
+    cairn_body_id b = make(&def);
+    run(2);
+    TEST_ASSERT_EQUAL_UINT32(1, stats()->pairs);
+    TEST_ASSERT_EQUAL_UINT32(0, stats()->arbiters);
+    ASSERT_NEAR_VEC2(4 * LSB, 1, -1, cairn_body_position(world, a));
+    ASSERT_NEAR_VEC2(4 * LSB, 77, -77, cairn_body_position(world, b));
+}
+
 /* The heavy one's speed across the contact is 1.3 of the limit, and 1.2 of that along x: the ball is held to what there is. */
 void test_no_speed_is_above_the_limit_after_a_step(void)
 {
