@@ -30,6 +30,7 @@ void cairn_port_write(const char *text);
 /* Time since cairn_port_init(), modulo 2^32; take differences. The unit:
    - a board in QEMU under the `-icount` shift of its board.json: one executed instruction, exactly. Two calls in a row
      differ by the cost of a call, the same each time: measure it once and subtract it;
+   - the rp2040: one cycle;
    - the host: one nanosecond of a monotonic clock.
    A board's timer is 32 bits wide: read it at least once every 1.3e9 instructions. */
 uint32_t cairn_port_clock(void);

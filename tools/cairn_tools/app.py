@@ -21,8 +21,9 @@ from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from . import bench as bench_module
+from . import bench_tables, draw, engine, scene
 from . import compare as compare_module
-from . import draw, engine, scene
+from . import cycles as cycles_module
 from . import golden as golden_module
 from . import kept as kept_module
 from . import profile as profile_module
@@ -41,7 +42,7 @@ app = typer.Typer(
 )
 
 Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
-Core = Enum("Core", {name: name for name in engine.CORES}, type=str)
+Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
 GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGETS}, type=str)
 Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
@@ -179,6 +180,7 @@ def bench(
     substeps: SubstepsOption = None,
     passes: PassesOption = None,
     profile: Annotated[bool, typer.Option("--profile", help="What stages and functions take, too.")] = False,
+    cycles: Annotated[bool, typer.Option("--cycles", help="Cycles and microseconds on four chips.")] = False,
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
     as_json: JsonOption = False,
@@ -186,6 +188,10 @@ def bench(
     """Instructions per step on the emulated cores, over steps 121 to 240."""
     if keep or check:
         _bench_record(keep)
+        return
+    if cycles:
+        wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
+        _bench_cycles(wished, [c.value for c in core or ()], as_json)
         return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
@@ -229,6 +235,25 @@ def _bench_record(keep: bool) -> None:
     print(f"{counts - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
     if bad:
         raise typer.Exit(1)
+
+
+def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool) -> None:
+    """The chips of the cores asked for, or all."""
+    chips = [chip for chip in cycles_module.CHIPS if not cores or chip.counted_on in cores]
+    if not chips:
+        raise UserError(f"--cycles --core {' '.join(cores)}: {cycles_module.NOT_ESTIMATED}")
+    rows, checks = [], []
+    with _working("bench --cycles") as say:
+        for loaded in scenes:
+            say(f"{loaded.name} on {', '.join(chip.name for chip in chips)}")
+            of_scene, check = cycles_module.measure(loaded, chips)
+            rows += of_scene
+            checks += [check] if check else []
+    if as_json:
+        print(json.dumps(bench_tables.cycles_record(rows, checks), indent=2))
+        return
+    for grid in bench_tables.cycles_tables(rows, checks):
+        out.print(grid)
 
 
 def _profile_table(cost: bench_module.Cost, shares: profile_module.Profile) -> Table:
@@ -370,6 +395,11 @@ def _working(what: str) -> Iterator[Any]:
         yield lambda text: progress.update(task, description=text)
 
 
+def _unit(got: engine.Run) -> str:
+    """Of the costs of a run."""
+    return "cycles" if got.target not in engine.COUNTED and got.target != "host" else "instructions"
+
+
 def _run_record(loaded: scene.Scene, got: engine.Run) -> dict[str, Any]:
     names = ("x", "y", "angle", "vx", "vy", "omega")
     return {
@@ -379,8 +409,8 @@ def _run_record(loaded: scene.Scene, got: engine.Run) -> dict[str, Any]:
         "steps": got.steps,
         "hash": got.hash,
         "statistics": got.statistics,
-        "mean_instructions": mean(got.costs) if got.costs else None,
-        "worst_instructions": max(got.costs) if got.costs else None,
+        f"mean_{_unit(got)}": mean(got.costs) if got.costs else None,
+        f"worst_{_unit(got)}": max(got.costs) if got.costs else None,
         "bodies": [
             {"body": i, "name": body.name, **dict(zip(names, map(float, state), strict=True))}
             for i, (body, state) in enumerate(zip(loaded.bodies, got.trajectory.states[-1], strict=True))
@@ -401,8 +431,8 @@ def _run_table(loaded: scene.Scene, got: engine.Run) -> Table:
         "hash": got.hash,
     }
     if got.costs:
-        rows["instructions per step, mean"] = f"{mean(got.costs):,.0f}"
-        rows["instructions per step, worst"] = f"{max(got.costs):,}"
+        rows[f"{_unit(got)} per step, mean"] = f"{mean(got.costs):,.0f}"
+        rows[f"{_unit(got)} per step, worst"] = f"{max(got.costs):,}"
         rows["stack, bytes"] = f"{got.stack:,}"
     for name, value in rows.items():
         grid.add_row(name.replace("_", " "), str(value))

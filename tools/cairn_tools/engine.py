@@ -27,7 +27,7 @@ ARITHMETICS = {"q16": "host", "f64": "host-double"}  # and the CMake preset of e
 
 @dataclass(frozen=True)
 class Emulated:
-    """A core in QEMU: the CMake preset it is built by and the board it is on."""
+    """A core in an emulator: the CMake preset it is built by and the board it is on."""
 
     preset: str
     board: str
@@ -41,7 +41,9 @@ CORES = {
     "m33": Emulated("m33", "mps2-an505"),
     "m55": Emulated("m55", "mps3-an547"),
     "lm3s6965evb": Emulated("m3", "lm3s6965evb"),
+    "rp2040": Emulated("m0", "rp2040"),  # in rp2040js: its costs are cycles, not instructions
 }
+COUNTED = tuple(name for name in CORES if name != "rp2040")  # in QEMU, whose costs are instructions
 TARGETS = ("host", *CORES)
 
 STATUS = {
@@ -69,7 +71,7 @@ class Run:
     trajectory: Trajectory
     hash: str = ""
     statistics: dict[str, int] = field(default_factory=dict)
-    costs: list[int] = field(default_factory=list)  # instructions a step, in QEMU only
+    costs: list[int] = field(default_factory=list)  # a step: instructions in QEMU, cycles in rp2040js
     stack: int = 0
     contacts: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
 
@@ -92,9 +94,13 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
 def run_image(
     scene: Scene, target: str, image: Path, words: list[str], options: Sequence[str] = (), timeout: int = 600
 ) -> str:
-    """What the runner's firmware prints in QEMU; the options are those of tools/qemu-run."""
-    qemu_run = [sys.executable, str(ROOT / "tools" / "qemu-run"), "--timeout", str(timeout), *options]
-    return _output_of([*qemu_run, CORES[target].board, str(image), *words], scene, target)
+    """What the runner's firmware prints in its emulator, tools/qemu-run or tools/rp2040-run with the options."""
+    board = CORES[target].board
+    if board == "rp2040":
+        emulator = [str(ROOT / "tools" / "rp2040-run"), "--timeout", str(10 * timeout), *options]
+    else:
+        emulator = [sys.executable, str(ROOT / "tools" / "qemu-run"), "--timeout", str(timeout), *options, board]
+    return _output_of([*emulator, str(image), *words], scene, target)
 
 
 def table(scene: Scene, name: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from fnmatch import fnmatch
 from functools import cache
@@ -60,24 +61,34 @@ class Profile:
 
 def measure(scene: Scene, core: str, first: int, last: int) -> Profile:
     """Runs a scene to its step `last` and counts from step `first`."""
+    steps = last - first + 1
+    stages: Counter[str] = Counter({name: 0 for name in STAGES})
+    own: Counter[str] = Counter()
+    for function, (number, *_) in rows(scene, core, first, last):
+        if number:
+            stages[_stage(function)] += number / steps
+            own[function.name] += number / steps
+    return Profile(dict(stages), dict(own.most_common()))
+
+
+def rows(
+    scene: Scene, core: str, first: int, last: int, listing: Callable[[Path], list[str]] | None = None
+) -> list[tuple[Function, list[int]]]:
+    """The plugin's numbers of each function; by class too where a listing of the image's instructions is given."""
     plugin = engine.profiler()
     with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
-        image, counts = Path(folder) / "runner.elf", Path(folder) / "counts"
+        image, counts, code = (Path(folder) / name for name in ("runner.elf", "counts", "code"))
         engine.build_image(scene, core, image)
         functions = _functions(image)
         table = Path(folder) / "map"
         table.write_text("".join(f"{f.low:x} {f.high:x} {f.kind}\n" for f in functions), encoding="utf-8")
         words = f"file={plugin},map={table},out={counts},first={first},last={last}"
+        if listing is not None:
+            code.write_text("\n".join(listing(image)) + "\n", encoding="utf-8")
+            words += f",code={code}"
         engine.run_image(scene, core, image, [f"steps={last}", "every=0"], ["--qemu=-plugin", f"--qemu={words}"])
-        numbers = [int(line) for line in counts.read_text(encoding="utf-8").split()]
-    steps = last - first + 1
-    stages: Counter[str] = Counter({name: 0 for name in STAGES})
-    own: Counter[str] = Counter()
-    for function, number in zip(functions, numbers, strict=True):
-        if number:
-            stages[_stage(function)] += number / steps
-            own[function.name] += number / steps
-    return Profile(dict(stages), dict(own.most_common()))
+        lines = counts.read_text(encoding="utf-8").splitlines()
+    return [(function, [int(word) for word in line.split()]) for function, line in zip(functions, lines, strict=True)]
 
 
 def _stage(function: Function) -> str:
