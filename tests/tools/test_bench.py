@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from cairn_tools import bench, kept, profile, scene
+from cairn_tools import bench, engine, kept, profile, scene
 
 
 @pytest.fixture(scope="module")
@@ -20,6 +20,14 @@ def test_the_functions_add_up_to_the_step(stack: scene.Scene) -> None:
     assert sum(shares.functions.values()) == pytest.approx(cost.mean_instructions, rel=1e-3)
     assert sum(shares.stages.values()) == pytest.approx(sum(shares.functions.values()))
     assert all(count > 0 for count in shares.stages.values())
+
+
+def test_what_the_compiler_s_own_routines_take_is_counted_too() -> None:
+    # Springs divide by libgcc on the M0.
+    springs = scene.load(scene.find("curtain150"))
+    shares = profile.measure(springs, "m0", 1, 4)
+    costs = engine.run(springs, "q16", "m0", 4, 0).costs
+    assert sum(shares.functions.values()) == pytest.approx(sum(costs) / 4, rel=1e-3)
 
 
 def test_a_dearer_step_than_the_record_is_told_with_its_functions(

@@ -36,20 +36,20 @@ def _results(rows: list[cycles.Cycles]) -> Table:
     named = [chip for chip in cycles.CHIPS if any(row.chip == chip.name for row in rows)]
     waits = "; ".join(f"{chip.name}: {chip.memory}" for chip in named)
     caption = (
-        "mean of steps 121-240; worst of steps 1-240. Measured in rp2040js; else an estimate, with half the range of "
+        "thousands; mean of steps 121-240; worst of steps 1-240. Measured in rp2040js; else an estimate, with half the range of "
         f"its tables. {waits}. {cycles.NOT_ESTIMATED}"
     )
     grid = Table(title="Cycles per step, and microseconds at the chip's clock", caption=caption, box=box.SIMPLE)
     for column in ("scene", "chip"):
         grid.add_column(column)
-    for column in ("MHz", "instructions", "cycles", "+-", "us", "worst us"):
+    for column in ("MHz", "k instr.", "k cycles", "+-", "us", "worst us"):
         grid.add_column(column, justify="right")
     for row in rows:
         half = 50 * (row.cycles_high - row.cycles_low) / row.cycles
         spread = "measured" if row.how == "measured" else f"{half:.0f} %"
-        numbers = (row.instructions, row.cycles, row.microseconds, row.worst_microseconds)
-        instructions, total, mean, worst = (f"{number:,.0f}" for number in numbers)
-        grid.add_row(row.scene, row.chip, str(row.mhz), instructions, total, spread, mean, worst)
+        thousands = (f"{number / 1000:,.1f}" for number in (row.instructions, row.cycles))
+        times = (f"{number:,.0f}" for number in (row.microseconds, row.worst_microseconds))
+        grid.add_row(row.scene, row.chip, str(row.mhz), *thousands, spread, *times)
     return grid
 
 

@@ -32,7 +32,7 @@ INTERRUPTS = ("cairn_systick",)
 
 @dataclass(frozen=True)
 class Function:
-    """A function of an image and where it comes from; no file where that is not ours."""
+    """A function of an image and where it comes from; no file where that is not told."""
 
     low: int
     high: int
@@ -46,9 +46,10 @@ class Function:
             return "step"
         if self.name in INTERRUPTS:
             return "aside"
-        if not self.file:
+        # The compiler's and the C library's own tell a file of their makers, or none.
+        if not self.file or not Path(self.file).resolve().is_relative_to(engine.ROOT.resolve()):
             return "helper"
-        return "engine" if "/src/" in f"/{self.file}" else "outside"
+        return "engine" if Path(self.file).resolve().is_relative_to((engine.ROOT / "src").resolve()) else "outside"
 
 
 @dataclass(frozen=True)
