@@ -167,7 +167,11 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     if ((body_a->flags | body_b->flags) & CAIRN_BODY_FAST) {
         world->continuous->meet(world, body_a, body_b, &manifold);
     } else {
-        cairn_bodies_collide(body_a, body_b, cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b), &manifold);
+        cairn_offset margin = cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b);
+        cairn_bodies_collide(body_a, body_b, margin, &manifold);
+        if (manifold.count != 0 && world->continuous != NULL) {
+            world->continuous->slide(world, body_a, body_b, margin, &manifold);
+        }
     }
     if (manifold.count == 0) {
         return;

@@ -97,6 +97,54 @@ static cairn_offset straight_speed(const course *a, const course *b, const cairn
     return -cairn_offset_dot(b->dx - a->dx, b->dy - a->dy, at->normal_x, at->normal_y);
 }
 
+/* ---- passing by ---- */
+
+/* An overlap this small is slid over: bodies at rest on one another lie that deep in one another. */
+#define GRAZE CAIRN_OFFSET(0.002)
+/* Nearing by less in a step is no motion against the other one. */
+#define CREEP CAIRN_OFFSET(0.00002)
+#define LOOKS 4
+
+static cairn_offset larger(cairn_offset x, cairn_offset y) { return magnitude(x) > magnitude(y) ? magnitude(x) : magnitude(y); }
+
+static cairn_offset least_radius(const cairn_body *a, const cairn_body *b)
+{
+    cairn_real ra = a->shape->kind->inradius(a->shape), rb = b->shape->kind->inradius(b->shape);
+    return cairn_offset_from_real(ra < rb ? ra : rb);
+}
+
+/*
+ * Two surfaces side by side, as the tiles of a floor, have corners between them that are no obstacle to what slides over
+ * them. But before that is over the second one, the axis that separates the two most is the direction in which it slides.
+ * So look on along the way: as long as the overlap is no more than what is slid over, the contact is the one seen later.
+ * a and b are the poses at the time of the contact, (x, y) the way of b against a from then on, which takes `span` of a step.
+ */
+static void look_beyond(const cairn_pose *a, const cairn_pose *b, cairn_offset x, cairn_offset y, cairn_unit span, cairn_offset margin,
+                        cairn_manifold *out)
+{
+    cairn_manifold then = *out;
+    cairn_unit time = 0;
+    cairn_offset opposed = -cairn_offset_dot(x, y, out->normal_x, out->normal_y), closing = opposed;
+    for (int i = 0; i < LOOKS && closing > CREEP && time != CAIRN_UNIT(1); i++) {
+        cairn_unit part = time_for(then.separation + 2 * GRAZE, closing), rest = CAIRN_UNIT(1) - time;
+        time += part < rest ? part : rest;
+        cairn_pose pose = *b;
+        pose.x += cairn_offset_mul(x, time);
+        pose.y += cairn_offset_mul(y, time);
+        expect_nothing(&then);
+        cairn_poses_collide(a, &pose, margin, &then);
+        if (then.count == 0 || then.separation < -GRAZE) {
+            return;
+        }
+        closing = -cairn_offset_dot(x, y, then.normal_x, then.normal_y);
+        if (closing < opposed - opposed / 4) {
+            cairn_unit later = cairn_offset_mul(span, time), met = out->time;
+            *out = then;
+            out->time = met < CAIRN_UNIT(1.9) - later ? met + later : CAIRN_UNIT(1.9);
+        }
+    }
+}
+
 /*
  * Advance until the two touch; false if they do not in this step. Neither going straight nor turning may cover more than the
  * distance; but beside a body that turns, the bound on turning gives ever smaller parts, so that near it, and
@@ -140,7 +188,34 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
                       cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
     if (!find_meeting(&ca, &cb, out)) {
         out->count = 0;
+        return;
     }
+    if (out->separation >= -GRAZE) {
+        cairn_offset reach = cairn_offset_half(least_radius(a, b)), x = cb.dx - ca.dx, y = cb.dy - ca.dy, size = larger(x, y);
+        cairn_unit span = size > reach ? cairn_offset_fraction(reach, size) : CAIRN_UNIT(1);
+        cairn_pose pa = pose_at(&ca, out->time), pb = pose_at(&cb, out->time);
+        pb.x -= pa.x;
+        pb.y -= pa.y;
+        pa.x = pa.y = 0;
+        look_beyond(&pa, &pb, cairn_offset_mul(x, span), cairn_offset_mul(y, span), span, ANY_DISTANCE, out);
+    }
+}
+
+static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
+{
+    cairn_offset x = cairn_offset_from_motion(b->vx - a->vx) * world->substeps, y = cairn_offset_from_motion(b->vy - a->vy) * world->substeps;
+    if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
+        return;
+    }
+    for (int i = 0; i < 7 && (i == 0 || larger(x, y) < 4 * GRAZE); i++) {
+        x *= 2;
+        y *= 2;
+    }
+    course ca = ahead(world, a, 0, 0);
+    course cb = ahead(world, b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
+                      cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    cairn_pose pa = pose_at(&ca, 0), pb = pose_at(&cb, 0);
+    look_beyond(&pa, &pb, x, y, CAIRN_UNIT(1.9), margin, out);
 }
 
 /* ---- after the solver ---- */
@@ -262,4 +337,4 @@ static void clip(cairn_world *world)
     }
 }
 
-const cairn_continuous_class cairn_continuous = { meet, clip };
+const cairn_continuous_class cairn_continuous = { meet, slide, clip };

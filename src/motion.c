@@ -15,11 +15,11 @@ void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
-/* A surface lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by spin. */
+/* A surface lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by spin; a circle's has none. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
 {
-    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy))
-                       + 3 * cairn_offset_from_motion(magnitude(body->w));
+    cairn_offset spin = body->shape->kind->outline == NULL ? 0 : 3 * cairn_offset_from_motion(magnitude(body->w));
+    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy)) + spin;
     return CAIRN_REACH + speed * world->substeps;
 }
 

@@ -32,6 +32,8 @@ typedef struct cairn_broad_class {
 typedef struct cairn_continuous_class {
     /* The contact of two bodies, one of them fast: as they will meet in this step, if they do. */
     void (*meet)(const struct cairn_world *world, const cairn_body *a, const cairn_body *b, struct cairn_manifold *out);
+    /* Of two slower ones: what slides past the other's corner does not run into it. */
+    void (*slide)(const struct cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, struct cairn_manifold *out);
     /* Cut displacements short where they would carry a fast body's core into another one. */
     void (*clip)(struct cairn_world *world);
 } cairn_continuous_class;

@@ -150,3 +150,18 @@ def translation(bench: Bench, name: str) -> Iterator[Figure]:
         different += int((states != start).any())
     yield most("places where it moves differently", different, 0)
     yield least("it moves, by", np.abs(start[-1, :, [X, Y, ANGLE]] - start[0, :, [X, Y, ANGLE]]).max(), 1e-3, "m")
+
+
+@case("{what} sliding or rolling over a floor of tiles at {speed} m/s: it keeps its speed and height", quick=True,
+      over={"what": ["box", "circle"], "speed": [0.1, 1, 5, 40]})  # fmt: skip
+def tiles(bench: Bench, what: str, speed: float) -> Iterator[Figure]:
+    world = bench.world()
+    ice = world.material(0.0)
+    tile = world.box(1.0, 1.0)
+    for k in range(60):
+        world.fixed(tile, k, -0.5)
+    body = (world.add(world.box(0.8, 0.8), 1.2, 0.4, velocity=(speed, 0), material=ice) if what == "box"
+            else world.add(world.circle(0.3), 1.2, 0.3, velocity=(speed, 0), omega=-speed / 0.3))  # fmt: skip
+    path = world.record(int(min(600, 55 / speed * 60)), 1, [body])[:, 0]
+    yield most("speed lost", 1 - path[:, VX].min() / speed, 0.01, "%")
+    yield most("height off", np.abs(path[:, Y] - path[0, Y]).max(), 0.001, "m")

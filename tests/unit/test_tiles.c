@@ -1,0 +1,107 @@
+/* What slides over surfaces side by side does not run into the corners between them, and still into what stands in its way. */
+#define YARD_BODIES 48
+#define YARD_ARBITERS 64
+# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+
+static const cairn_shape tile = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
+static const cairn_shape crate = CAIRN_BOX(CAIRN_F(0.8), CAIRN_F(0.8));
+static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.3));
+static const cairn_material ice = CAIRN_MATERIAL(CAIRN_F(0), CAIRN_F(0));
+
+void setUp(void)
+{
+    open_yard(CAIRN_F(-10));
+    for (int i = 0; i < 40; i++) {
+        put_static(&tile, i * CAIRN_F(1), CAIRN_F(-0.5));
+    }
+}
+
+void tearDown(void) {}
+
+static cairn_body_id slide(const cairn_shape *shape, cairn_real height, cairn_real speed, cairn_real spin)
+{
+    cairn_body_def def = def_at(shape, CAIRN_F(1.2), height);
+    def.velocity.x = speed;
+    def.angular_velocity = spin;
+    def.material = spin == 0 ? &ice : &cairn_material_default;
+    return make(&def);
+}
+
+static void assert_goes_on(cairn_body_id id, cairn_real height, cairn_real speed, int steps)
+{
+    for (int i = 0; i < steps; i++) {
+        run(1);
+        ASSERT_NEAR(0.002, 0, vx_of(id) - speed);
+        ASSERT_NEAR(0.005, 0, vy_of(id));
+        ASSERT_NEAR(0.001, 0, y_of(id) - height);
+    }
+}
+
+void test_a_slow_crate_slides_over_the_joints_of_a_floor(void)
+{
+    assert_goes_on(slide(&crate, CAIRN_F(0.4), CAIRN_F(0.1), 0), CAIRN_F(0.4), CAIRN_F(0.1), 600);
+}
+
+void test_a_crate_slides_over_the_joints_of_a_floor(void)
+{
+    assert_goes_on(slide(&crate, CAIRN_F(0.4), CAIRN_F(2), 0), CAIRN_F(0.4), CAIRN_F(2), 300);
+}
+
+void test_a_fast_crate_slides_over_the_joints_of_a_floor(void)
+{
+    assert_goes_on(slide(&crate, CAIRN_F(0.4), CAIRN_F(40), 0), CAIRN_F(0.4), CAIRN_F(40), 55);
+}
+
+void test_a_ball_rolls_over_the_joints_of_a_floor(void)
+{
+    assert_goes_on(slide(&marble, CAIRN_F(0.3), CAIRN_F(3), CAIRN_F(-10)), CAIRN_F(0.3), CAIRN_F(3), 300);
+}
+
+void test_a_fast_ball_rolls_over_the_joints_of_a_floor(void)
+{
+    assert_goes_on(slide(&marble, CAIRN_F(0.3), CAIRN_F(30), CAIRN_F(-100)), CAIRN_F(0.3), CAIRN_F(30), 70);
+}
+
+void test_a_crate_falls_along_the_joints_of_a_wall(void)
+{
+    for (int i = 0; i < 7; i++) {
+        put_static(&tile, CAIRN_F(3), i * CAIRN_F(1) + CAIRN_F(0.5));
+    }
+    cairn_body_id id = put(&crate, CAIRN_F(3.9), CAIRN_F(7));
+    run(60); /* 5 m and half a step's more */
+    ASSERT_NEAR(0.001, 3.9, x_of(id));
+    ASSERT_NEAR(0.001, 2, y_of(id));
+    ASSERT_NEAR(0.0001, -10, vy_of(id));
+}
+
+void test_a_crate_lands_beyond_a_joint_as_on_one_floor(void)
+{
+    cairn_body_def def = def_at(&crate, CAIRN_F(1.05), CAIRN_F(0.45));
+    def.velocity = cairn_vec2_of(CAIRN_F(3), CAIRN_F(-1.5));
+    def.material = &ice;
+    cairn_body_id id = make(&def);
+    run(30);
+    ASSERT_NEAR(0.002, 3, vx_of(id));
+    ASSERT_NEAR(0.002, 0, spin_of(id));
+}
+
+/* A step of 1 cm is no joint. */
+void test_a_crate_does_not_slide_over_a_step(void)
+{
+    put_static(&tile, CAIRN_F(5), CAIRN_F(-0.49));
+    cairn_body_id id = slide(&crate, CAIRN_F(0.4), CAIRN_F(0.5), 0);
+    run(600);
+    TEST_ASSERT_TRUE(x_of(id) < CAIRN_F(4.12));
+}
+
+void test_a_ball_bumps_over_a_step(void)
+{
+    put_static(&tile, CAIRN_F(5), CAIRN_F(-0.49));
+    cairn_body_id id = slide(&marble, CAIRN_F(0.3), CAIRN_F(3), CAIRN_F(-10));
+    cairn_real highest = 0;
+    for (int i = 0; i < 120; i++) {
+        run(1);
+        highest = y_of(id) > highest ? y_of(id) : highest;
+    }
+    TEST_ASSERT_TRUE(highest > CAIRN_F(0.3095));
+}
