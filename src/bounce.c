@@ -75,7 +75,7 @@ static bool detect(const cairn_world *world, impact *i, int substep)
     cairn_motion threshold = cairn_motion_from_real(limit, world->substep), gravity = gravity_along(world, i);
     i->time = CAIRN_UNIT(1);
     for (int k = 0; k < arbiter->count; k++) {
-        const cairn_row *row = &arbiter->rows[k];
+        cairn_row *row = &arbiter->rows[k];
         cairn_motion u = row_velocity(i->a, i->b, arbiter->normal_x, arbiter->normal_y, row->lever_a, row->lever_b);
         i->closing[k] = 0;
         if (u >= -threshold) {
@@ -84,6 +84,9 @@ static bool detect(const cairn_world *world, impact *i, int substep)
         /* A pair that touched may have come apart by another impact in this sub-step: then it meets only after that. */
         cairn_motion separation = cairn_motion_add(row->gap > 0 ? row->gap : 0, row_displacement(i, row));
         if (row->gap > 0 || separation > 0) {
+            if (row->gap <= 0) {
+                row->gap = CAIRN_MOTION(1e-8);
+            }
             if (cairn_motion_add(separation, u - gravity) > CLOSE) {
                 continue;
             }
