@@ -1,8 +1,10 @@
 /*
  * Restitution: an impact phase at the start of each sub-step. A contact that will close in this sub-step is solved as
- * the impact that it is: at its own time t, with its own speed, by Newton's law u+ = -e u-. Doing it in the sweeps
- * instead stops the body early and rebounds with the speed of the step's start, which loses energy at every bounce.
+ * the impact that it is: at its own time t and place, with its own speed, by Newton's law u+ = -e u-. Doing it in the
+ * sweeps instead stops the body early and rebounds with the speed of the step's start, which loses energy at every bounce.
  *
+ * The rows of the step's start tell roughly when; the narrow phase at the poses of that moment then gives normal, levers
+ * and the exact time. An impulse with levers of one moment and positions of another would falsify angular momentum.
  * The impulse changes the whole sub-step's motion, so the part of it before t is taken back from the displacement.
  */
 #include "engine.h"
@@ -10,37 +12,327 @@
 #define PASSES 16
 /* What rounding may add to a separation, m: so near at the end of the sub-step, and the sweeps would stop the body. */
 #define CLOSE CAIRN_MOTION(2e-6)
+/* How often the time of an impact is corrected, until the points are as near as this to one another. */
+#define LOOKS 8
+#define MET CAIRN_MOTION(2e-5)
+/* A pair that turns by more than this in a step, m at the radius of gyration, is looked at again while so near. */
+#define TURNED CAIRN_OFFSET(0.005)
+#define NEAR CAIRN_MOTION(0.05)
+/* Bodies that lie deeper than this in one another when they hit are moved apart. Less is left: it costs angular momentum. */
+#define DEEP CAIRN_MOTION(0.005)
+/* How far apart the narrow phase still finds a contact: more than it is wrong about the time. */
+#define SIGHT CAIRN_OFFSET(0.5)
+/* The gap of a pair that touched and was thrown apart within the step: above zero, so that its separation counts. */
+#define JUST_APART CAIRN_MOTION(4e-9)
 
 typedef struct impact {
     cairn_arbiter *arbiter;
     cairn_body *a, *b;
     cairn_factor restitution;
-    cairn_factor norm; /* the rounded normal's own square */
+    cairn_factor norm;       /* the rounded normal's own square */
+    cairn_motion threshold;  /* what approaches slower does not rebound */
+    cairn_motion gx, gy;     /* gravity's change of the relative velocity in a sub-step; nothing where both fall alike */
     cairn_motion closing[2]; /* speed at the moment of the impact; 0: this point does not take part */
-    cairn_motion rest[2];    /* way to go until then */
-    cairn_unit time;         /* of the sub-step */
+    cairn_motion depth;      /* of the point that hits, at that moment */
+    cairn_unit time;         /* in sub-steps from this one's start; may lie a little beyond its end */
+    int substep;
 } impact;
 
-static cairn_motion row_velocity(const cairn_body *a, const cairn_body *b, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
+static cairn_motion velocity_along(const impact *i, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
 {
-    return cairn_motion_along(b->vx - a->vx, b->vy - a->vy, nx, ny) + cairn_motion_lever(b->w, jb) - cairn_motion_lever(a->w, ja);
+    return cairn_motion_along(i->b->vx - i->a->vx, i->b->vy - i->a->vy, nx, ny) + cairn_motion_lever(i->b->w, jb) - cairn_motion_lever(i->a->w, ja);
 }
 
-static cairn_motion row_displacement(const impact *i, const cairn_row *row)
+static cairn_motion row_velocity(const impact *i, const cairn_row *row)
 {
-    cairn_offset x = cairn_offset_from_motion(i->b->dx) - cairn_offset_from_motion(i->a->dx);
-    cairn_offset y = cairn_offset_from_motion(i->b->dy) - cairn_offset_from_motion(i->a->dy);
-    return cairn_motion_from_offset(cairn_motion_along(x, y, i->arbiter->normal_x, i->arbiter->normal_y)
-                                    + cairn_motion_lever(cairn_offset_from_motion(i->b->dw), row->lever_b)
-                                    - cairn_motion_lever(cairn_offset_from_motion(i->a->dw), row->lever_a));
+    return velocity_along(i, i->arbiter->normal_x, i->arbiter->normal_y, row->lever_a, row->lever_b);
 }
 
-static void mix(impact *i, cairn_real *threshold)
+static void mix(impact *i, const cairn_world *world)
 {
     const cairn_material *a = i->a->material, *b = i->b->material;
     i->restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
-    *threshold = a->restitution == 0 ? b->threshold : b->restitution == 0 || a->threshold < b->threshold ? a->threshold : b->threshold;
+    i->threshold = cairn_motion_from_real(a->restitution == 0                                   ? b->threshold
+                                          : b->restitution == 0 || a->threshold < b->threshold ? a->threshold
+                                                                                               : b->threshold,
+                                          world->substep);
 }
+
+/* What of gravity changes the relative velocity: nothing where both fall alike. Cut so that no sum of a step's can wrap. */
+static void weigh(impact *i, const cairn_world *world)
+{
+    i->gx = i->gy = 0;
+    if (!cairn_body_is_dynamic(i->a) && !(i->b->flags & CAIRN_BODY_FIXED_POSITION)) {
+        cairn_factor scale = cairn_factor_from_real(i->b->gravity_scale);
+        i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.5));
+        i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.5));
+    }
+}
+
+/* Gravity's pull along the approach. */
+static cairn_motion pull(const impact *i) { return -cairn_motion_along(i->gx, i->gy, i->arbiter->normal_x, i->arbiter->normal_y); }
+
+/* ---- what the sweeps hold of the pair ---- */
+
+/* Between sub-steps velocity changes are repeated, v + (v - u): take an impulse of the last one out of that. */
+static void unrepeat(const impact *i, cairn_body *body, cairn_motion impulse, cairn_dir nx, cairn_dir ny, cairn_lever j)
+{
+    if (i->substep == 0 || !cairn_body_is_dynamic(body)) { /* the warm start reads the rows themselves */
+        return;
+    }
+    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        body->ux += cairn_motion_dir(impulse, nx);
+        body->uy += cairn_motion_dir(impulse, ny);
+    }
+    body->uw += cairn_motion_lever(impulse, j);
+}
+
+static void forget_impulse(const impact *i, cairn_motion *impulse, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
+{
+    unrepeat(i, i->a, -cairn_motion_share(*impulse, i->arbiter->share_a), nx, ny, ja);
+    unrepeat(i, i->b, cairn_motion_share(*impulse, i->arbiter->share_b), nx, ny, jb);
+    *impulse = 0;
+}
+
+/* An impact ends a contact: what held it until then is not to be repeated. */
+static void forget_row(const impact *i, cairn_row *row)
+{
+    if (row->impulse != 0) {
+        forget_impulse(i, &row->impulse, i->arbiter->normal_x, i->arbiter->normal_y, row->lever_a, row->lever_b);
+    }
+}
+
+static void forget(const impact *i)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    for (int k = 0; k < arbiter->count; k++) {
+        forget_row(i, &arbiter->rows[k]);
+    }
+    forget_impulse(i, &arbiter->friction_impulse, cairn_dir_negate(arbiter->normal_y), arbiter->normal_x, arbiter->friction_lever_a,
+                   arbiter->friction_lever_b);
+}
+
+/* ---- when and where ---- */
+
+/* How the two have moved in this step: centre against centre, and each by turning. */
+typedef struct course {
+    cairn_offset x, y, turn_a, turn_b;
+} course;
+
+static cairn_offset way(cairn_motion d, cairn_motion v, cairn_unit time)
+{
+    return cairn_offset_from_motion(cairn_motion_add(d, cairn_motion_unit(v, time)));
+}
+
+/* Gravity's part of the true way: symplectic Euler has gone g k / 2 too far until this sub-step, see motion.c. */
+static cairn_offset fall(const impact *i, cairn_motion g, cairn_unit time)
+{
+    return cairn_offset_from_motion(cairn_motion_half(cairn_motion_unit(cairn_motion_unit(g, time), time) - g * i->substep));
+}
+
+static course course_until(const impact *i, cairn_unit time)
+{
+    const cairn_body *a = i->a, *b = i->b;
+    course c;
+    c.x = way(b->dx, b->vx, time) - way(a->dx, a->vx, time) + fall(i, i->gx, time);
+    c.y = way(b->dy, b->vy, time) - way(a->dy, a->vy, time) + fall(i, i->gy, time);
+    c.turn_a = way(a->dw, a->w, time);
+    c.turn_b = way(b->dw, b->w, time);
+    return c;
+}
+
+static cairn_offset size_of(cairn_offset x) { return x < 0 ? -x : x; }
+
+/* As the sweeps will see it at the end of this sub-step: half a sub-step's fall farther down for each so far. */
+static course course_of_sweeps(const impact *i)
+{
+    const cairn_body *a = i->a, *b = i->b;
+    course c;
+    c.x = way(b->dx, b->vx + i->gx, CAIRN_UNIT(1)) - way(a->dx, a->vx, CAIRN_UNIT(1));
+    c.y = way(b->dy, b->vy + i->gy, CAIRN_UNIT(1)) - way(a->dy, a->vy, CAIRN_UNIT(1));
+    c.turn_a = way(a->dw, a->w, CAIRN_UNIT(1));
+    c.turn_b = way(b->dw, b->w, CAIRN_UNIT(1));
+    return c;
+}
+
+/* How far a course has opened a row. */
+static cairn_motion opened(const impact *i, const cairn_row *row, const course *c)
+{
+    return cairn_motion_from_offset(cairn_motion_along(c->x, c->y, i->arbiter->normal_x, i->arbiter->normal_y)
+                                    + cairn_motion_lever(c->turn_b, row->lever_b) - cairn_motion_lever(c->turn_a, row->lever_a));
+}
+
+static cairn_pose turned(const cairn_body *body, cairn_offset turn)
+{
+    cairn_pose pose;
+    pose.shape = body->shape;
+    pose.x = pose.y = 0;
+    pose.c = body->cosine;
+    pose.s = body->sine;
+    if (turn != 0) {
+        cairn_angle by = cairn_angle_from_motion(cairn_motion_from_offset(turn), body->inverse_gyration);
+        cairn_angle_rotation(cairn_angle_add(body->angle, by), &pose.c, &pose.s);
+    }
+    return pose;
+}
+
+static void contact_after(const impact *i, const course *c, cairn_manifold *out)
+{
+    cairn_pose a = turned(i->a, c->turn_a), b = turned(i->b, c->turn_b);
+    b.x = cairn_coordinate_offset(i->a->x, i->a->x_residue, i->b->x, i->b->x_residue) + c->x;
+    b.y = cairn_coordinate_offset(i->a->y, i->a->y_residue, i->b->y, i->b->y_residue) + c->y;
+    cairn_poses_collide(&a, &b, SIGHT, out);
+}
+
+/* Makes the contact after a course the pair's rows. */
+static void adopt(cairn_world *world, impact *i, const course *c, cairn_manifold *contact)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    bool persists = false;
+    contact_after(i, c, contact);
+    for (int k = 0; k < arbiter->count; k++) {
+        bool found = false;
+        for (int j = 0; j < contact->count; j++) {
+            found = found || arbiter->rows[k].feature == contact->points[j].feature;
+        }
+        if (!found) {
+            forget_row(i, &arbiter->rows[k]);
+        }
+        persists = persists || found;
+    }
+    if (!persists) {
+        forget(i);
+    }
+    if (contact->count == 0) { /* they pass by one another */
+        arbiter->count = 0;
+        return;
+    }
+    cairn_arbiter_prepare(world, arbiter, contact);
+    for (int k = 0; k < arbiter->count; k++) {
+        cairn_row *row = &arbiter->rows[k];
+        row->gap = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(i, row, c)); /* at the step's start */
+        row->gap = row->gap > 0 ? row->gap : JUST_APART;
+    }
+}
+
+/* Rows are straight and a turning body's surface is not: a pair that has turned while near gets new ones. */
+static void refresh(cairn_world *world, impact *i)
+{
+    course now = course_until(i, 0);
+    bool near = false;
+    if (size_of(now.turn_a) + size_of(now.turn_b) < TURNED) {
+        return;
+    }
+    for (int k = 0; k < i->arbiter->count; k++) {
+        const cairn_row *row = &i->arbiter->rows[k];
+        near = near || cairn_motion_add(row->gap > 0 ? row->gap : 0, opened(i, row, &now)) < NEAR;
+    }
+    if (near) {
+        cairn_manifold contact;
+        adopt(world, i, &now, &contact);
+    }
+}
+
+/* part / whole, below 2 */
+static cairn_unit time_of(cairn_motion part, cairn_motion whole)
+{
+    cairn_unit half = cairn_motion_fraction(cairn_motion_half(part), whole);
+    return 2 * (half < CAIRN_UNIT(0.99) ? half : CAIRN_UNIT(0.99));
+}
+
+/*
+ * Do the rows as they are say that some point hits in this sub-step? About when the first one does. What the sweeps
+ * would stop counts, even where the true impact lies a moment later.
+ */
+static bool foresee(impact *i)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    cairn_motion gravity = pull(i);
+    course now = course_until(i, 0), end = course_of_sweeps(i);
+    bool hits = false;
+    i->time = CAIRN_UNIT(1.98);
+    for (int k = 0; k < arbiter->count; k++) {
+        cairn_row *row = &arbiter->rows[k];
+        cairn_motion u = row_velocity(i, row), separation = opened(i, row, &now);
+        row->feature &= (uint16_t)~CAIRN_ROW_IN_FLIGHT;
+        if (u >= -i->threshold) {
+            row->feature |= (uint16_t)cairn_flag_if(u > 0 && u > gravity, CAIRN_ROW_IN_FLIGHT);
+            continue;
+        }
+        /* A pair that touched may have come apart by another impact in this step: then it meets only after that. */
+        if (row->gap <= 0 && separation > cairn_motion_half(gravity * i->substep)) {
+            row->gap = JUST_APART;
+        }
+        if (row->gap > 0 && cairn_motion_add(row->gap, opened(i, row, &end)) > CLOSE) {
+            forget_row(i, row);
+            row->feature |= CAIRN_ROW_IN_FLIGHT;
+            continue;
+        }
+        separation = row->gap > 0 ? cairn_motion_add(row->gap, separation) : 0;
+        separation = separation > 0 ? separation : 0;
+        cairn_motion closing = cairn_motion_closing(u, gravity, separation);
+        if (closing > gravity) { /* slower than a sub-step's fall is rest, whatever the threshold */
+            cairn_unit time = time_of(separation, cairn_motion_half(cairn_motion_add(closing, -u)));
+            i->time = time < i->time ? time : i->time;
+            hits = true;
+        }
+    }
+    return hits;
+}
+
+/* The first point to hit by the contact after this course, or -1 if none does in this sub-step. */
+static int measure(impact *i, const cairn_manifold *contact, const course *c)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    cairn_motion gravity = pull(i), rest = i->threshold > gravity ? i->threshold : gravity;
+    course end = course_of_sweeps(i);
+    int first = -1;
+    for (int k = 0; k < arbiter->count; k++) {
+        cairn_row *row = &arbiter->rows[k];
+        cairn_motion closing = cairn_motion_unit(gravity, i->time) - row_velocity(i, row);
+        cairn_motion start = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(i, row, c));
+        i->closing[k] = 0;
+        if (closing <= rest || closing <= 0) {
+            continue;
+        }
+        if (cairn_motion_add(start, opened(i, row, &end)) > 2 * CLOSE) {
+            row->feature |= CAIRN_ROW_IN_FLIGHT;
+        } else {
+            i->closing[k] = closing;
+            first = first < 0 || contact->points[k].separation < contact->points[first].separation ? k : first;
+        }
+    }
+    return first;
+}
+
+/* Finds the contact at the moment of the impact, and the moment exactly; false if the two miss in this sub-step. */
+static bool meet(cairn_world *world, impact *i)
+{
+    for (int look = 0; look < LOOKS; look++) {
+        cairn_manifold contact;
+        course c = course_until(i, i->time);
+        adopt(world, i, &c, &contact);
+        int first = measure(i, &contact, &c);
+        if (first < 0) {
+            return false;
+        }
+        cairn_motion to_go = cairn_motion_from_offset(contact.points[first].separation);
+        i->depth = -to_go;
+        cairn_unit by = time_of(to_go < 0 ? -to_go : to_go, i->closing[first]);
+        if (to_go < 0) {
+            by = by < i->time ? -by : -i->time;
+        } else if (by > CAIRN_UNIT(1.98) - i->time) {
+            by = CAIRN_UNIT(1.98) - i->time;
+        }
+        if (by == 0 || (to_go <= MET && -to_go <= MET)) {
+            break;
+        }
+        i->time += by;
+    }
+    return true;
+}
+
+/* ---- by how much ---- */
 
 static cairn_factor coupling(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever ka, cairn_lever jb, cairn_lever kb)
 {
@@ -52,56 +344,6 @@ static cairn_factor linear_part(const impact *i)
     cairn_share share = (i->a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : i->arbiter->share_a)
                       + (i->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : i->arbiter->share_b);
     return cairn_factor_mul(cairn_factor_from_share(share), i->norm);
-}
-
-/* Gravity's pull along the approach; nothing where both fall alike. */
-static cairn_motion gravity_along(const cairn_world *world, const impact *i)
-{
-    const cairn_arbiter *arbiter = i->arbiter;
-    if (cairn_body_is_dynamic(i->a) || i->b->flags & CAIRN_BODY_FIXED_POSITION) {
-        return 0;
-    }
-    cairn_motion g = cairn_motion_along(world->gravity_x.whole, world->gravity_y.whole, arbiter->normal_x, arbiter->normal_y);
-    return -cairn_motion_factor(g, cairn_factor_from_real(i->b->gravity_scale));
-}
-
-/* Which points of the pair hit in this sub-step, how fast, and when the first one does. */
-static bool detect(const cairn_world *world, impact *i, int substep)
-{
-    cairn_arbiter *arbiter = i->arbiter;
-    cairn_real limit;
-    bool hits = false;
-    mix(i, &limit);
-    cairn_motion threshold = cairn_motion_from_real(limit, world->substep), gravity = gravity_along(world, i);
-    i->time = CAIRN_UNIT(1);
-    for (int k = 0; k < arbiter->count; k++) {
-        cairn_row *row = &arbiter->rows[k];
-        cairn_motion u = row_velocity(i->a, i->b, arbiter->normal_x, arbiter->normal_y, row->lever_a, row->lever_b);
-        i->closing[k] = 0;
-        if (u >= -threshold) {
-            continue;
-        }
-        /* A pair that touched may have come apart by another impact in this sub-step: then it meets only after that. */
-        cairn_motion separation = cairn_motion_add(row->gap > 0 ? row->gap : 0, row_displacement(i, row));
-        if (row->gap > 0 || separation > 0) {
-            if (row->gap <= 0) {
-                row->gap = CAIRN_MOTION(1e-8);
-            }
-            if (cairn_motion_add(separation, u - gravity) > CLOSE) {
-                continue;
-            }
-            separation = cairn_motion_add(separation, cairn_motion_half(gravity * substep));
-        }
-        separation = separation < 0 ? 0 : separation;
-        cairn_motion closing = cairn_motion_closing(u, gravity, separation);
-        if (closing > gravity) { /* slower than a sub-step's fall is rest, whatever the threshold */
-            i->closing[k] = closing;
-            cairn_unit time = cairn_motion_fraction(separation, cairn_motion_half(cairn_motion_add(closing, -u)));
-            i->time = time < i->time ? time : i->time;
-            hits = true;
-        }
-    }
-    return hits;
 }
 
 /* The impulses along the normal after which each hitting point leaves with -e times its approach: K L = (1 + e) v. */
@@ -124,11 +366,12 @@ static void resolve(const impact *i, cairn_motion *first, cairn_motion *second)
     }
     cairn_factor pq = coupling(arbiter, linear, p->lever_a, q->lever_a, p->lever_b, q->lever_b);
     cairn_factor determinant = cairn_factor_mul(pp, qq) - cairn_factor_mul(pq, pq);
-    if (determinant > CAIRN_FACTOR(0.001)) {
+    bool apart = determinant > cairn_factor_mul(cairn_factor_mul(pp, qq), CAIRN_FACTOR(1.0 / 64));
+    if (apart) {
         *first = cairn_motion_divide(cairn_motion_add(cairn_motion_factor(bp, qq), -cairn_motion_factor(bq, pq)), determinant);
         *second = cairn_motion_divide(cairn_motion_add(cairn_motion_factor(bq, pp), -cairn_motion_factor(bp, pq)), determinant);
     }
-    if (determinant <= CAIRN_FACTOR(0.001) || *first < 0 || *second < 0) {
+    if (!apart || *first < 0 || *second < 0) {
         *first = i->closing[0] >= i->closing[1] && pp > 0 ? cairn_motion_divide(bp, pp) : 0;
         *second = *first == 0 && qq > 0 ? cairn_motion_divide(bq, qq) : 0;
     }
@@ -159,7 +402,7 @@ static void rub(impact *i, cairn_motion pressure)
     cairn_arbiter *arbiter = i->arbiter;
     cairn_dir tx = cairn_dir_negate(arbiter->normal_y), ty = arbiter->normal_x;
     cairn_lever ja = arbiter->friction_lever_a, jb = arbiter->friction_lever_b;
-    cairn_motion impulse = -cairn_motion_ratio(row_velocity(i->a, i->b, tx, ty, ja, jb), arbiter->friction_mass);
+    cairn_motion impulse = -cairn_motion_ratio(velocity_along(i, tx, ty, ja, jb), arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
@@ -181,10 +424,11 @@ static velocity velocity_of(const cairn_body *body)
 }
 
 /* The change is not to be repeated by the warm start, and acts only after the impact's time. */
-static void settle(const cairn_world *world, cairn_body *body, velocity before, cairn_unit time, int substep)
+static void settle(cairn_world *world, cairn_body *body, velocity before, cairn_unit time, int substep)
 {
     /* What the sub-steps to come may add to a displacement must fit, too. */
     cairn_motion room = CAIRN_MOTION(7.99) - world->speed_limit * (world->substeps - substep);
+    cairn_body_limit_speed(world, body);
     cairn_motion x = body->vx - before.x, y = body->vy - before.y, w = body->w - before.w;
     if (substep > 0) {
         body->ux += x;
@@ -196,6 +440,43 @@ static void settle(const cairn_world *world, cairn_body *body, velocity before, 
     body->dw = cairn_motion_clamp(cairn_motion_add(body->dw, -cairn_motion_unit(w, time)), room);
 }
 
+static void shove(cairn_body *body, cairn_motion by, cairn_dir nx, cairn_dir ny)
+{
+    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        body->dx = cairn_motion_add(body->dx, cairn_motion_dir(by, nx));
+        body->dy = cairn_motion_add(body->dy, cairn_motion_dir(by, ny));
+    }
+}
+
+/* Bodies that lie in one another when they hit are moved apart by half of that. By place and not by speed, which would be energy. */
+static void part(const cairn_world *world, impact *i)
+{
+    const cairn_arbiter *arbiter = i->arbiter;
+    cairn_motion depth = i->depth - cairn_motion_from_offset(cairn_offset_from_real(world->slop)) - DEEP;
+    if (depth <= 0) {
+        return;
+    }
+    depth = cairn_motion_half(depth) < world->push_out_limit ? cairn_motion_half(depth) : world->push_out_limit;
+    if (arbiter->share_a != 0) {
+        shove(i->a, -cairn_motion_share(depth, arbiter->share_a), arbiter->normal_x, arbiter->normal_y);
+    }
+    shove(i->b, cairn_motion_share(depth, arbiter->share_b), arbiter->normal_x, arbiter->normal_y);
+}
+
+/* What an impact has made faster may need the watch over fast bodies, which was set at the step's start. */
+static void hasten(cairn_world *world, cairn_body *body)
+{
+    if (world->continuous == NULL || !cairn_body_is_dynamic(body) || !cairn_body_is_fast(world, body)) {
+        return;
+    }
+    cairn_real x = body->extent_x, y = body->extent_y;
+    cairn_body_refresh_extents(world, body);
+    body->extent_x = body->extent_x > x ? body->extent_x : x;
+    body->extent_y = body->extent_y > y ? body->extent_y : y;
+    body->flags |= CAIRN_BODY_FAST;
+    world->fast++;
+}
+
 static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep)
 {
     impact i;
@@ -203,21 +484,28 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep)
     i.arbiter = arbiter;
     i.a = &world->bodies[arbiter->a];
     i.b = &world->bodies[arbiter->b];
-    i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
-    if (!detect(world, &i, substep)) {
+    i.substep = substep;
+    mix(&i, world);
+    weigh(&i, world);
+    if (substep > 0) {
+        refresh(world, &i);
+    }
+    if (!foresee(&i) || !meet(world, &i)) {
         return false;
     }
+    forget(&i);
     velocity a = velocity_of(i.a), b = velocity_of(i.b);
+    i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
     resolve(&i, &first, &second);
     strike(&i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
     strike(&i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
     rub(&i, cairn_motion_add(first, second));
     settle(world, i.a, a, i.time, substep);
     settle(world, i.b, b, i.time, substep);
+    part(world, &i);
+    hasten(world, i.a);
+    hasten(world, i.b);
     arbiter->flags |= CAIRN_ARBITER_TOUCHING;
-    arbiter->rows[0].impulse = 0;
-    arbiter->rows[1].impulse = 0;
-    arbiter->friction_impulse = 0;
     return true;
 }
 

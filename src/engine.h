@@ -37,6 +37,9 @@ enum {
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
 };
 
+/* row.feature, beyond the names: it leaves, or closes but not in this sub-step; left to the next impact phase. */
+#define CAIRN_ROW_IN_FLIGHT 0x8000u
+
 /* arbiter.flags */
 enum {
     CAIRN_ARBITER_FRESH = 1 << 0,    /* seen by this step's narrow phase */

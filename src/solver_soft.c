@@ -36,41 +36,30 @@ static cairn_motion row_displacement(const cairn_body *a, const cairn_body *b, c
 /* The new impulse of a point that was apart when the step began (u leans by beta d): it may close the gap and no more. */
 static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    cairn_motion moved = row_displacement(a, b, arbiter, row), lean = cairn_motion_ratio(moved, CAIRN_SOFT_BETA);
-    cairn_motion separation = cairn_motion_add(row->gap > 0 ? row->gap : 0, moved); /* as the impact phase sees it */
-    if ((arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0 && u > lean) {
-        return 0; /* it left with its restitution in this step: the impact phase has placed it */
+    cairn_motion moved = row_displacement(a, b, arbiter, row), separation = cairn_motion_add(row->gap, moved);
+    if (row->feature & CAIRN_ROW_IN_FLIGHT) {
+        return 0;
     }
     if (separation > 0) {
-        return pressed_against(row->impulse, cairn_motion_add(u, separation - lean), row->mass);
+        return pressed_against(row->impulse, cairn_motion_add(u, separation - cairn_motion_ratio(moved, CAIRN_SOFT_BETA)), row->mass);
     }
-    cairn_motion push = row->gap > 0 ? cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA) : row->gap;
-    return pressed_against(row->impulse - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE), cairn_motion_add(u, push), row->soft_mass);
+    return pressed_against(row->impulse - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE),
+                           cairn_motion_add(u, cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA)), row->soft_mass);
 }
 
 static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    cairn_motion separation = cairn_motion_add(row->gap > 0 ? row->gap : 0, row_displacement(a, b, arbiter, row));
-    if (separation > 0) {
-        if ((arbiter->flags & CAIRN_ARBITER_BOUNCY) && row->impulse == 0) {
-            return 0;
-        }
-        u = cairn_motion_add(u, separation);
+    cairn_motion separation = cairn_motion_add(row->gap, row_displacement(a, b, arbiter, row));
+    if (row->feature & CAIRN_ROW_IN_FLIGHT) {
+        return 0;
     }
-    return pressed_against(row->impulse, u, row->mass);
-}
-
-/* Apart when the step began, or thrown apart since by its restitution. */
-static inline bool is_apart(const cairn_arbiter *arbiter, const cairn_row *row)
-{
-    (void)arbiter;
-    return row->gap > 0;
+    return pressed_against(row->impulse, separation > 0 ? cairn_motion_add(u, separation) : u, row->mass);
 }
 
 /* The new impulse of a row in the biased pass: soft, and pushing out. */
 static inline cairn_motion biased(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    if (is_apart(arbiter, row)) {
+    if (row->gap > 0) {
         return biased_apart(a, b, arbiter, row, u);
     }
     return pressed(row->impulse - cairn_motion_ratio(u + row->gap, row->soft_mass) - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
@@ -79,7 +68,7 @@ static inline cairn_motion biased(const cairn_body *a, const cairn_body *b, cons
 /* The same in the relax pass: rigid, and without any push. */
 static inline cairn_motion relaxed(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    if (is_apart(arbiter, row)) {
+    if (row->gap > 0) {
         return relaxed_apart(a, b, arbiter, row, u);
     }
     return pressed(row->impulse - cairn_motion_ratio(u, row->mass));
