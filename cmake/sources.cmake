@@ -28,6 +28,10 @@ set(CAIRN_SOURCES
     src/solver_slides.c
     src/solver_soft.c
     src/spring.c
+    src/spring_map.c
+    src/spring_network.c
+    src/spring_path.c
+    src/spring_reach.c
     src/spring_solve.c
     src/world.c
 )

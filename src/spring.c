@@ -127,6 +127,7 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     pool->capacity = storage->capacity;
     pool->end = 0;
     pool->changed = true;
+    pool->entangled = false;
     world->springs = pool;
     return CAIRN_OK;
 }
@@ -205,7 +206,7 @@ cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *
     cairn_offset2 anchor_a = anchor_of(a, def->anchor_a), anchor_b = anchor_of(b, def->anchor_b);
     spring->a = (uint16_t)(def->a.index - 1);
     spring->b = (uint16_t)(def->b.index - 1);
-    spring->flags = (uint8_t)(CAIRN_SPRING_USED | CAIRN_SPRING_FRESH | (def->no_contact ? CAIRN_SPRING_NO_CONTACT : 0));
+    spring->flags = (uint16_t)(CAIRN_SPRING_USED | CAIRN_SPRING_FRESH | (def->no_contact ? CAIRN_SPRING_NO_CONTACT : 0));
     spring->anchor_a.x = anchor_a.x;
     spring->anchor_a.y = anchor_a.y;
     spring->anchor_b.x = anchor_b.x;

@@ -1,4 +1,7 @@
-/* What spring.c (the pool and the game's calls) and spring_solve.c (the sub-step) share. */
+/*
+ * What the files of springs share: spring.c (the pool and the game's calls) -> spring_solve.c (step and sub-step)
+ * -> spring_map.c (one spring), spring_network.c and spring_path.c (many), spring_reach.c (where they are).
+ */
 #ifndef CAIRN_SPRING_SOLVE_H
 #define CAIRN_SPRING_SOLVE_H
 
@@ -9,12 +12,26 @@
 enum {
     CAIRN_SPRING_USED = 1,
     CAIRN_SPRING_NO_CONTACT = 2,
-    CAIRN_SPRING_FRESH = 4,     /* has not pulled yet */
-    CAIRN_SPRING_EXACT = 8,     /* solved by the exact map, alone */
-    CAIRN_SPRING_HEAD = 16,     /* the first of a path */
+    CAIRN_SPRING_FRESH = 4,      /* has not pulled yet */
+    CAIRN_SPRING_EXACT = 8,      /* solved by the exact map, alone */
+    CAIRN_SPRING_HEAD = 16,      /* the first of a path */
     CAIRN_SPRING_IN_PATH = 32,
-    CAIRN_SPRING_BACKWARDS = 64 /* the path goes from its b to its a */
+    CAIRN_SPRING_BACKWARDS = 64, /* the path goes from its b to its a */
+    CAIRN_SPRING_ENTANGLED = 128, /* of a network's first: its paths pull along one another */
+    CAIRN_SPRING_LEVERS = 256     /* of a path's first: some anchors are off their centres */
 };
+
+static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
+static inline bool cairn_spring_is_off_centre(const cairn_spring *spring)
+{
+    return spring->anchor_a.x != 0 || spring->anchor_a.y != 0 || spring->anchor_b.x != 0 || spring->anchor_b.y != 0;
+}
+static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
+{
+    return cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
+}
+
+/* ---- spring_reach.c ---- */
 
 /* Where a spring is. */
 typedef struct cairn_reach {
@@ -25,7 +42,39 @@ typedef struct cairn_reach {
 
 /* With the displacements of this step. */
 void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *reach);
+/* (arm x n) / rho */
+cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_unit x, cairn_unit y);
+/* Keep direction and levers for the sweeps. */
+void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *reach);
 
+/* Direction and levers for this sub-step; reach gets the end of it. */
+cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *reach);
+
+/* ---- spring_map.c ---- */
+void cairn_spring_map(const cairn_world *world, cairn_spring *spring);
+/* e: the effective mass over the reduced one */
+cairn_factor cairn_spring_mass(const cairn_world *world, const cairn_spring *spring);
+
+/* ---- spring_path.c ---- */
+/* The cosine of the angle between two springs, each from its a to its b. */
+cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t);
+/* Cut all networks into paths. */
+void cairn_spring_paths(cairn_world *world);
+/* What of a path's solution depends on directions only. */
+void cairn_path_factorise(cairn_world *world, uint16_t head);
+/* The springs of a path, together; again: after another sweep in this sub-step. */
+void cairn_path_solve(cairn_world *world, uint16_t head, bool again);
+cairn_motion cairn_spring_speed(const cairn_spring *spring, const cairn_body *a, const cairn_body *b);
+/* Add a velocity change to a body, and to the velocity that the warm start compares with. */
+void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn);
+
+/* ---- spring_network.c ---- */
+/* Which springs belong together. After the paths. */
+void cairn_spring_networks(cairn_world *world);
+/* Which networks have become entangled. */
+void cairn_spring_entangle(cairn_world *world);
+
+/* ---- spring_solve.c ---- */
 void cairn_springs_prepare(cairn_world *world);
 void cairn_springs_substep(cairn_world *world, int substep);
 

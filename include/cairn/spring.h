@@ -29,22 +29,26 @@ typedef struct cairn_spring_def {
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
     uint16_t a, b; /* body indices */
-    uint16_t generation;
-    uint8_t flags;
+    uint16_t generation, flags;
     struct {
         cairn_offset x, y;
     } anchor_a, anchor_b; /* from the centres of mass, body frame */
     cairn_offset rest_length;
     cairn_wide stiffness, damping;
-    /* the map of a sub-step, see spring_solve.c */
+    /* the map of a sub-step, see spring_map.c */
     cairn_share share_a, share_b;
-    cairn_share velocity_gain, gravity_gain;
+    cairn_share velocity_gain;
+    cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
     cairn_wide position_gain;
+    /* the network, and a spring of another of its paths at one end */
+    uint16_t network, across;
     /* the path it is solved with */
     uint16_t next, previous;
     cairn_factor before, behind, inverse_pivot;
-    cairn_motion impulse;
-    cairn_dir direction_x, direction_y; /* from a to b */
+    cairn_unit turned; /* of a path's first: by how much its springs have turned since these were made, at most */
+    cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
+    cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
+    cairn_dir heading_x, heading_y;     /* in which it lies at the end of the sub-step */
     cairn_lever lever_a, lever_b;
 } cairn_spring;
 
@@ -54,7 +58,8 @@ typedef struct cairn_spring_pool {
     const struct cairn_spring_class *kind;
     cairn_spring *springs;
     uint16_t capacity, end;
-    bool changed; /* the springs' maps have to be made anew */
+    bool changed;   /* the springs' maps have to be made anew */
+    bool entangled; /* a network is, see spring_network.c */
 } cairn_spring_pool;
 
 typedef struct cairn_spring_storage {

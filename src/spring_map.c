@@ -1,0 +1,135 @@
+/*
+ * What a sub-step makes of one spring, computed when springs change and, for off-centre anchors, once a step.
+ *
+ * With u the velocity along a spring, C its elongation, e the effective mass over the reduced mass,
+ * b = k h^2 (1/mA + 1/mB) / e and d = c h (1/mA + 1/mB) / e:
+ * - an isolated spring (each dynamic end carries one, b below 0.2) follows the exact map of the damped oscillator: an
+ *   impulse of e (A u + B C) is taken off, A = 1 - det M and B = 1 + det M - tr M with M = exp((0, 1), (-b, -d));
+ * - any other follows implicit Euler: with C* the elongation that the sub-step would end with, e (D u + B C*) is taken
+ *   off, B = b / (1 + b + d) and D = d / (1 + b + d), bounded for any stiffness.
+ */
+#include "spring_solve.h"
+
+/* Beyond this stiffness a spring is a rod: more would only lose bits. */
+#define STIFFNESS_MAX cairn_wide_from_int(4096)
+
+/* 1 / e */
+static cairn_factor stiffening(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_lever ja, cairn_lever jb)
+{
+    cairn_factor k = cairn_factor_from_share((cairn_body_is_free_to_shift(a) ? spring->share_a : 0) + (cairn_body_is_free_to_shift(b) ? spring->share_b : 0));
+    return k + cairn_factor_spin(spring->share_a, ja, ja) + cairn_factor_spin(spring->share_b, jb, jb);
+}
+
+cairn_factor cairn_spring_mass(const cairn_world *world, const cairn_spring *spring)
+{
+    if (spring->lever_a == 0 && spring->lever_b == 0) {
+        return CAIRN_FACTOR(1);
+    }
+    cairn_factor inverse = stiffening(spring, &world->bodies[spring->a], &world->bodies[spring->b], spring->lever_a, spring->lever_b);
+    return cairn_factor_from_ratio(cairn_factor_inverse(inverse));
+}
+
+typedef struct matrix {
+    cairn_share a, b, c, d;
+} matrix;
+
+static matrix product(matrix p, matrix q)
+{
+    matrix r;
+    r.a = cairn_unit_dot(p.a, p.b, q.a, q.c);
+    r.b = cairn_unit_dot(p.a, p.b, q.b, q.d);
+    r.c = cairn_unit_dot(p.c, p.d, q.a, q.c);
+    r.d = cairn_unit_dot(p.c, p.d, q.b, q.d);
+    return r;
+}
+
+/*
+ * exp(K) - 1 for K = ((0, w), (-w, -d)) by Taylor's series of K / 2^s and s squarings of 1 + E. In this scaling (the
+ * velocity over w) det E is B and small stiffnesses keep their bits.
+ */
+static matrix oscillator(cairn_share w, cairn_share d_over_16)
+{
+    enum { HALVINGS = 8, TERMS = 5 };
+    static const cairn_share inverse[TERMS] = { CAIRN_SHARE(1), CAIRN_SHARE(1.0 / 2), CAIRN_SHARE(1.0 / 3), CAIRN_SHARE(1.0 / 4),
+                                                CAIRN_SHARE(1.0 / 5) };
+    matrix k, term, sum;
+    k.a = 0;
+    k.b = cairn_share_shift(w, HALVINGS);
+    k.c = -k.b;
+    k.d = -cairn_share_shift(d_over_16, HALVINGS - 4);
+    term = k;
+    sum = k;
+    for (int i = 1; i < TERMS; i++) {
+        term = product(term, k);
+        term.a = cairn_share_mul(term.a, inverse[i]);
+        term.b = cairn_share_mul(term.b, inverse[i]);
+        term.c = cairn_share_mul(term.c, inverse[i]);
+        term.d = cairn_share_mul(term.d, inverse[i]);
+        sum.a += term.a;
+        sum.b += term.b;
+        sum.c += term.c;
+        sum.d += term.d;
+    }
+    for (int i = 0; i < HALVINGS; i++) {
+        matrix square = product(sum, sum);
+        sum.a = 2 * sum.a + square.a;
+        sum.b = 2 * sum.b + square.b;
+        sum.c = 2 * sum.c + square.c;
+        sum.d = 2 * sum.d + square.d;
+    }
+    return sum;
+}
+
+/* b or d: stiffness (damping) in sub-step units. */
+static cairn_wide in_substeps(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_wide amount, cairn_wide power)
+{
+    cairn_wide inverse = cairn_wide_add(spring->share_a != 0 ? cairn_wide_div(cairn_wide_from_int(1), a->mass) : cairn_wide_from_int(0),
+                                        spring->share_b != 0 ? cairn_wide_div(cairn_wide_from_int(1), b->mass) : cairn_wide_from_int(0));
+    return cairn_wide_mul(cairn_wide_mul(amount, power), inverse);
+}
+
+static void map_exactly(cairn_spring *spring, cairn_wide b, cairn_wide d)
+{
+    matrix e = oscillator(cairn_wide_to_share(cairn_wide_sqrt(b)), cairn_wide_to_share(cairn_wide_div(d, cairn_wide_from_int(16))));
+    cairn_wide determinant = cairn_wide_determinant(e.a, e.b, e.c, e.d);
+    spring->velocity_gain = -(e.a + e.d) - cairn_wide_to_share(determinant);
+    spring->position_gain = determinant;
+    spring->yield = spring->velocity_gain + cairn_wide_to_share(cairn_wide_div(determinant, b)) - CAIRN_SHARE(1);
+    spring->flags |= CAIRN_SPRING_EXACT;
+}
+
+static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
+{
+    cairn_wide whole = cairn_wide_add(cairn_wide_from_int(1), cairn_wide_add(b, d));
+    spring->velocity_gain = cairn_wide_to_share(cairn_wide_div(d, whole));
+    spring->position_gain = cairn_wide_div(b, whole);
+    spring->yield = cairn_wide_to_share(cairn_wide_div(cairn_wide_from_int(1), whole));
+    spring->flags &= (uint16_t)~CAIRN_SPRING_EXACT;
+}
+
+void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
+{
+    const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    bool moves_a = cairn_body_is_dynamic(a), moves_b = cairn_body_is_dynamic(b);
+    spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1)
+                    : cairn_wide_to_share(cairn_wide_div(b->mass, cairn_wide_add(a->mass, b->mass)));
+    spring->share_b = moves_b ? CAIRN_SHARE(1) - spring->share_a : 0;
+    cairn_wide stiffness = in_substeps(spring, a, b, spring->stiffness, cairn_wide_mul(world->substep, world->substep));
+    cairn_wide damping = in_substeps(spring, a, b, spring->damping, world->substep);
+    if (cairn_spring_is_off_centre(spring)) {
+        cairn_reach r;
+        cairn_spring_measure(spring, a, b, &r);
+        cairn_wide over_e = cairn_wide_from_factor(stiffening(spring, a, b, cairn_spring_lever(a, r.arm_a, r.x, r.y), cairn_spring_lever(b, r.arm_b, r.x, r.y)));
+        stiffness = cairn_wide_mul(stiffness, over_e);
+        damping = cairn_wide_mul(damping, over_e);
+    }
+    bool alone = !(moves_a && (a->flags & CAIRN_BODY_SPRINGS)) && !(moves_b && (b->flags & CAIRN_BODY_SPRINGS));
+    bool soft = cairn_wide_less(stiffness, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(5)))
+             && cairn_wide_less(damping, cairn_wide_from_int(16));
+    if (alone && soft && !cairn_wide_is_zero(stiffness)) {
+        map_exactly(spring, stiffness, damping);
+    } else {
+        map_implicitly(spring, cairn_wide_less(STIFFNESS_MAX, stiffness) ? STIFFNESS_MAX : stiffness,
+                       cairn_wide_less(STIFFNESS_MAX, damping) ? STIFFNESS_MAX : damping);
+    }
+}

@@ -1,0 +1,116 @@
+/* Where springs are: their anchors, lengths, directions and levers, now and at the end of the sub-step. */
+#include "spring_solve.h"
+
+static cairn_offset2 arm_of(cairn_offset x, cairn_offset y, cairn_unit c, cairn_unit s)
+{
+    cairn_offset2 arm;
+    arm.x = cairn_offset_dot(x, -y, c, s);
+    arm.y = cairn_offset_dot(x, y, s, c);
+    return arm;
+}
+
+/* The arm of an anchor when the body has turned by dw in this step. */
+static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset x, cairn_offset y, cairn_motion dw)
+{
+    cairn_unit c = body->cosine, s = body->sine;
+    if (x == 0 && y == 0) {
+        cairn_offset2 none;
+        none.x = none.y = 0;
+        return none;
+    }
+    if (dw != 0) {
+        cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, body->inverse_gyration)), &c, &s);
+    }
+    return arm_of(x, y, c, s);
+}
+
+/* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
+#define FAR CAIRN_F(500)
+
+/* The way from one anchor to the other on one axis, saturating. */
+static cairn_offset way(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue, cairn_offset moved,
+                        cairn_offset from_arm, cairn_offset to_arm)
+{
+    cairn_real apart = cairn_real_sub(to, from);
+    cairn_offset bodies = cairn_real_is_within(apart, FAR) ? cairn_coordinate_offset(from, from_residue, to, to_residue)
+                        : apart > 0 ? cairn_offset_from_real(FAR) : -cairn_offset_from_real(FAR);
+    return cairn_offset_add(cairn_offset_add(cairn_offset_add(bodies, moved), to_arm), -from_arm);
+}
+
+/* The arms are set; by how much the bodies have moved: */
+static void reach(const cairn_body *a, const cairn_body *b, cairn_offset moved_x, cairn_offset moved_y, cairn_reach *r)
+{
+    cairn_offset x = way(a->x, a->x_residue, b->x, b->x_residue, moved_x, r->arm_a.x, r->arm_b.x);
+    cairn_offset y = way(a->y, a->y_residue, b->y, b->y_residue, moved_y, r->arm_a.y, r->arm_b.y);
+    r->length = cairn_unit_along(x, y, &r->x, &r->y);
+}
+
+void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
+{
+    r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, a->dw);
+    r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, b->dw);
+    reach(a, b, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx),
+          cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy), r);
+}
+
+/* Where it will be at the end of this sub-step, with the velocities as they are. */
+static void foresee(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
+{
+    r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, cairn_motion_add(a->dw, a->w));
+    r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, cairn_motion_add(b->dw, b->w));
+    reach(a, b, cairn_offset_from_motion(cairn_motion_add(b->dx, b->vx)) - cairn_offset_from_motion(cairn_motion_add(a->dx, a->vx)),
+          cairn_offset_from_motion(cairn_motion_add(b->dy, b->vy)) - cairn_offset_from_motion(cairn_motion_add(a->dy, a->vy)), r);
+}
+
+/* (r x n) / rho */
+cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_unit x, cairn_unit y)
+{
+    if ((arm.x == 0 && arm.y == 0) || cairn_wide_is_zero(body->inverse_gyration)) {
+        return 0;
+    }
+    return cairn_lever_of(cairn_offset_dot(arm.x, -arm.y, y, x), body->inverse_gyration);
+}
+
+void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *r)
+{
+    spring->direction_x = cairn_dir_from_unit(r->x);
+    spring->direction_y = cairn_dir_from_unit(r->y);
+    if (cairn_spring_is_off_centre(spring)) {
+        spring->lever_a = cairn_spring_lever(a, r->arm_a, r->x, r->y);
+        spring->lever_b = cairn_spring_lever(b, r->arm_b, r->x, r->y);
+    }
+}
+
+/* A spring that turns faster than this in a sub-step, rad. */
+#define FAST CAIRN_UNIT(0.03)
+/* A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64. */
+enum { TAUT = 64 };
+
+static cairn_unit size_of(cairn_unit x) { return x < 0 ? -x : x; }
+
+static bool is_taut(const cairn_spring *spring, cairn_offset length)
+{
+    cairn_offset pull = cairn_offset_from_motion(spring->sum);
+    return TAUT * pull > length || -TAUT * pull > length;
+}
+
+/*
+ * Where a spring ends the sub-step and which way it pushes. Along the foreseen direction a spring that turns fast, or
+ * that a strong pull swings fast, gains no energy; but it takes away of any swing, (turn in a sub-step)^2 each time. So
+ * the others push along a direction only a quarter of the way from that at the start to the one foreseen.
+ * How far it turns, on one axis.
+ */
+cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
+{
+    foresee(spring, a, b, r);
+    cairn_unit dx = cairn_unit_from_dir(spring->heading_x) - r->x, dy = cairn_unit_from_dir(spring->heading_y) - r->y;
+    cairn_unit turned = size_of(dx) > size_of(dy) ? size_of(dx) : size_of(dy);
+    spring->heading_x = cairn_dir_from_unit(r->x);
+    spring->heading_y = cairn_dir_from_unit(r->y);
+    if (turned < FAST && !is_taut(spring, r->length)) {
+        r->x += cairn_share_shift(dx, 1) + cairn_share_shift(dx, 2);
+        r->y += cairn_share_shift(dy, 1) + cairn_share_shift(dy, 2);
+    }
+    cairn_spring_point(spring, a, b, r);
+    return turned;
+}
