@@ -195,6 +195,38 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     }
 }
 
+/* What touches and is driven together faster than this per sub-step is held: see hold_back(). */
+#define DRIVEN CAIRN_MOTION(0.0001)
+
+static bool is_driven(cairn_motion v) { return v > DRIVEN || -v > DRIVEN; }
+
+static void yield(cairn_body *body, cairn_share share, cairn_motion closing, const cairn_arbiter *arbiter)
+{
+    if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        cairn_motion by = cairn_motion_share(closing, share);
+        body->dx = cairn_motion_add(body->dx, cairn_motion_dir(by, arbiter->normal_x));
+        body->dy = cairn_motion_add(body->dy, cairn_motion_dir(by, arbiter->normal_y));
+    }
+}
+
+/*
+ * A game may set a velocity that drives a body against what it touches. It will not go that way, and the search for contacts
+ * ahead must not follow it there: until the search is done, d keeps what is to be added to the velocity.
+ */
+static void hold_back(cairn_world *world, const cairn_arbiter *arbiter)
+{
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    cairn_motion x = b->vx - a->vx, y = b->vy - a->vy;
+    if (is_driven(x) || is_driven(y)) {
+        cairn_motion closing = -cairn_motion_along(x + b->dx - a->dx, y + b->dy - a->dy, arbiter->normal_x, arbiter->normal_y);
+        if (closing > DRIVEN) {
+            yield(a, arbiter->share_a, -closing, arbiter);
+            yield(b, arbiter->share_b, closing, arbiter);
+            world->held_back = true;
+        }
+    }
+}
+
 void cairn_arbiters_begin(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
@@ -207,6 +239,9 @@ void cairn_arbiters_begin(cairn_world *world)
         }
         arbiter->flags &= (uint8_t)~(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED);
         arbiter->flags |= (uint8_t)(touched ? CAIRN_ARBITER_TOUCHED : 0);
+        if (touched && world->continuous != NULL && !(arbiter->flags & CAIRN_ARBITER_SENSOR)) {
+            hold_back(world, arbiter);
+        }
     }
 }
 

@@ -44,8 +44,8 @@ static course ahead(const cairn_world *world, const cairn_body *body, cairn_offs
     c.body = body;
     c.x = x;
     c.y = y;
-    c.dx = cairn_offset_from_motion(body->vx) * world->substeps;
-    c.dy = cairn_offset_from_motion(body->vy) * world->substeps;
+    c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, body->dx)) * world->substeps;
+    c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, body->dy)) * world->substeps;
     c.turn = cairn_angle_from_motion(w * world->substeps, body->inverse_gyration);
     c.sweep = sweep_of(body, w) * world->substeps;
     return c;
@@ -203,7 +203,8 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
 
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_offset x = cairn_offset_from_motion(b->vx - a->vx) * world->substeps, y = cairn_offset_from_motion(b->vy - a->vy) * world->substeps;
+    cairn_offset x = cairn_offset_from_motion(b->vx - a->vx + b->dx - a->dx) * world->substeps;
+    cairn_offset y = cairn_offset_from_motion(b->vy - a->vy + b->dy - a->dy) * world->substeps;
     if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
         return;
     }

@@ -100,6 +100,12 @@ static void find_pairs(cairn_world *world)
         world->stats.dropped = dropped;
         world->broad->find_pairs(world); /* what woke has pairs of its own */
     }
+    if (world->held_back) {
+        for (uint16_t i = 0; i < world->body_end; i++) {
+            world->bodies[i].dx = world->bodies[i].dy = 0;
+        }
+        world->held_back = false;
+    }
 }
 
 cairn_status cairn_world_step(cairn_world *world)

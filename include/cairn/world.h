@@ -82,6 +82,7 @@ typedef struct cairn_world {
     uint8_t substeps, passes;
     uint8_t locked;
     uint16_t fast; /* bodies in this step */
+    bool held_back; /* a body is driven against another one that it touches */
     int8_t error;
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */

@@ -74,6 +74,40 @@ void test_a_crate_falls_along_the_joints_of_a_wall(void)
     ASSERT_NEAR(0.0001, -10, vy_of(id));
 }
 
+/* As the player of a platform game, who holds the stick towards the wall. */
+static cairn_body_id hold_against_wall(cairn_real y, cairn_real vy, int steps)
+{
+    static const cairn_shape player = CAIRN_BOX(CAIRN_F(0.6), CAIRN_F(1));
+    for (int i = 0; i < 7; i++) {
+        put_static(&tile, CAIRN_F(5), i * CAIRN_F(1) + CAIRN_F(0.5));
+    }
+    cairn_body_def def = def_at(&player, CAIRN_F(4.2), y);
+    def.fixed_rotation = true;
+    def.material = &ice;
+    def.velocity.y = vy;
+    cairn_body_id id = make(&def);
+    for (int i = 0; i < steps; i++) {
+        ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(3), vy_of(id))));
+        run(1);
+        ASSERT_NEAR(0.001, 4.2, x_of(id));
+    }
+    return id;
+}
+
+void test_a_player_held_against_a_wall_of_tiles_falls_freely(void)
+{
+    cairn_body_id id = hold_against_wall(CAIRN_F(6), 0, 48);
+    ASSERT_NEAR(0.02, 2.8, y_of(id));
+    ASSERT_NEAR(0.001, -8, vy_of(id));
+}
+
+void test_a_player_held_against_a_wall_of_tiles_jumps_freely(void)
+{
+    cairn_body_id id = hold_against_wall(CAIRN_F(0.5), CAIRN_F(9), 54);
+    ASSERT_NEAR(0.05, 4.55, y_of(id));
+    ASSERT_NEAR(0.001, 0, vy_of(id));
+}
+
 void test_a_crate_lands_beyond_a_joint_as_on_one_floor(void)
 {
     cairn_body_def def = def_at(&crate, CAIRN_F(1.05), CAIRN_F(0.45));
