@@ -60,3 +60,8 @@ uint32_t cairn_port_stack_used(void)
 {
     return cairn_stack_used();
 }
+
+uint32_t cairn_port_stack_now(void)
+{
+    return cairn_stack_now();
+}

@@ -12,4 +12,7 @@ extern uint32_t cairn_link_stack_bottom[], cairn_link_stack_top[];
 /* Bytes from the top of the stack to the lowest word that was written. */
 uint32_t cairn_stack_used(void);
 
+/* Bytes from the top of the stack to where it stands in the caller. */
+uint32_t cairn_stack_now(void);
+
 #endif

@@ -66,3 +66,8 @@ uint32_t cairn_port_stack_used(void)
 {
     return 0;
 }
+
+uint32_t cairn_port_stack_now(void)
+{
+    return 0;
+}

@@ -47,6 +47,9 @@ void cairn_port_exit(int code);
 /* The most bytes of stack used since reset; 0 where the machine does not tell (the host). */
 uint32_t cairn_port_stack_used(void);
 
+/* The bytes of stack in use where it is called; 0 where the machine does not tell (the host). */
+uint32_t cairn_port_stack_now(void);
+
 /* Shows a picture of CAIRN_PORT_DISPLAY_BYTES. Does nothing where there is no display. */
 void cairn_port_display(const uint8_t *frame);
 

@@ -99,6 +99,8 @@ static void print_stack(void)
     cairn_print_u32(before);
     cairn_print_text(" ");
     cairn_print_u32(cairn_port_stack_used());
+    cairn_print_text(" ");
+    cairn_print_u32(cairn_port_stack_now());
     cairn_print_text("\n");
 }
 

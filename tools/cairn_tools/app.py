@@ -25,6 +25,7 @@ from . import bench_tables, draw, engine, scene
 from . import compare as compare_module
 from . import cycles as cycles_module
 from . import golden as golden_module
+from . import growth as growth_module
 from . import kept as kept_module
 from . import profile as profile_module
 from .errors import UserError
@@ -181,6 +182,8 @@ def bench(
     passes: PassesOption = None,
     profile: Annotated[bool, typer.Option("--profile", help="What stages and functions take, too.")] = False,
     cycles: Annotated[bool, typer.Option("--cycles", help="Cycles and microseconds on four chips.")] = False,
+    growth: Annotated[bool, typer.Option("--growth", help="Costs of 10 to 400 bodies, on the M0 or --core.")] = False,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="With --growth: draw it too.")] = None,
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
     as_json: JsonOption = False,
@@ -188,6 +191,11 @@ def bench(
     """Instructions per step on the emulated cores, over steps 121 to 240."""
     if keep or check:
         _bench_record(keep)
+        return
+    if growth or plot:
+        if not growth or scene_name or solver or substeps or passes or cycles or profile:
+            raise UserError("--growth takes --core, --plot and --json only, and --plot goes with --growth")
+        _bench_growth([c.value for c in core or ()] or ["m0"], plot, as_json)
         return
     if cycles:
         wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
@@ -253,6 +261,20 @@ def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool) ->
         print(json.dumps(bench_tables.cycles_record(rows, checks), indent=2))
         return
     for grid in bench_tables.cycles_tables(rows, checks):
+        out.print(grid)
+
+
+def _bench_growth(cores: list[str], plot: Path | None, as_json: bool) -> None:
+    """Worlds of growing size."""
+    file = _writable(plot) if plot else None
+    with _working("bench --growth") as say:
+        points = growth_module.measure(cores, growth_module.SIZES, say)
+    if file:
+        growth_module.plot(points, cores[0], file)
+    if as_json:
+        print(json.dumps(bench_tables.growth_record(points), indent=2))
+        return
+    for grid in bench_tables.growth_tables(points):
         out.print(grid)
 
 

@@ -27,7 +27,8 @@ class Cost:
     bodies: int
     points: int
     dropped_contacts: int
-    stack_bytes: int
+    stack_bytes: int  # of the whole image
+    step_stack_bytes: int
     hash: str
 
 
@@ -46,5 +47,6 @@ def measure(scene: Scene, core: str) -> Cost:
         points=got.statistics["points"],
         dropped_contacts=got.statistics["dropped_contacts"],
         stack_bytes=got.stack,
+        step_stack_bytes=got.stack - got.stack_before,
         hash=got.hash,
     )

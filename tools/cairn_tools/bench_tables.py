@@ -1,4 +1,4 @@
-"""What `bench --cycles` prints."""
+"""What `bench --cycles` and `bench --growth` print."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from rich import box
 from rich.table import Table
 
-from . import cycles
+from . import cycles, growth
 
 
 def cycles_record(rows: list[cycles.Cycles], checks: list[cycles.Deviation]) -> dict[str, Any]:
@@ -36,14 +36,15 @@ def _results(rows: list[cycles.Cycles]) -> Table:
     named = [chip for chip in cycles.CHIPS if any(row.chip == chip.name for row in rows)]
     waits = "; ".join(f"{chip.name}: {chip.memory}" for chip in named)
     caption = (
-        "thousands; mean of steps 121-240; worst of steps 1-240. Measured in rp2040js; else an estimate, with half the range of "
+        "mean of steps 121-240; worst of steps 1-240. Measured in rp2040js; else an estimate, with half the range of "
         f"its tables. {waits}. {cycles.NOT_ESTIMATED}"
     )
-    grid = Table(title="Cycles per step, and microseconds at the chip's clock", caption=caption, box=box.SIMPLE)
+    title = "Thousands of instructions and cycles a step, and microseconds at the chip's clock"
+    grid = Table(title=title, caption=caption, box=box.SIMPLE, pad_edge=False)
     for column in ("scene", "chip"):
-        grid.add_column(column)
-    for column in ("MHz", "k instr.", "k cycles", "+-", "us", "worst us"):
-        grid.add_column(column, justify="right")
+        grid.add_column(column, no_wrap=True)
+    for column in ("MHz", "instr.", "cycles", "+-", "us", "worst us"):
+        grid.add_column(column, justify="right", no_wrap=True)
     for row in rows:
         half = 50 * (row.cycles_high - row.cycles_low) / row.cycles
         spread = "measured" if row.how == "measured" else f"{half:.0f} %"
@@ -91,3 +92,36 @@ def weight_text(weight: cycles.Weight) -> str:
     if weight.jump != (0, 0):
         text += f", taken {span(weight.low + weight.jump[0], weight.high + weight.jump[1])}"
     return text
+
+
+def growth_record(points: list[growth.Point]) -> dict[str, Any]:
+    """For --json."""
+    rows = [asdict(p) | {"per_body": p.per_body, "worst_per_body": p.worst_per_body} for p in points]
+    return {"points": rows, "summary": growth.summary(points)}
+
+
+def growth_tables(points: list[growth.Point]) -> list[Table]:
+    """A line a world, both broad phases in it; then what they come to."""
+    caption = "mean of steps 121-240; worst of steps 1-240; the step's stack in bytes"
+    grid = Table(title="Instructions a body and step", caption=caption, box=box.SIMPLE, pad_edge=False)
+    for column in ("core", "world"):
+        grid.add_column(column)
+    for column in ("bodies", "points", "pairs", "worst", "quadtree", "worst", "stack"):
+        grid.add_column(column, justify="right", no_wrap=True)
+    for pairs, tree in zip(points[::2], points[1::2], strict=True):
+        counts = (pairs.per_body, pairs.worst_per_body, tree.per_body, tree.worst_per_body)
+        stack = max(pairs.stack_bytes, tree.stack_bytes)
+        grid.add_row(pairs.core, pairs.kind, str(pairs.bodies), str(pairs.contact_points),
+                     *(f"{count:,.0f}" for count in counts), f"{stack:,}")  # fmt: skip
+    sums = Table(title=f"From {growth.FROM} to {growth.TO} bodies", box=box.SIMPLE, pad_edge=False)
+    for column in ("core", "world"):
+        sums.add_column(column)
+    for column in ("crossover", "growth by pairs", "by quadtree", f"a body of {growth.TO} by quadtree", "stack"):
+        sums.add_column(column, justify="right")
+    for row in growth.summary(points):
+        tree, pairs = row["quadtree"], row["pairs"]
+        at = "-" if row["crossover"] is None else f"{row['crossover']:.0f}"
+        rise = ("-" if part["growth_percent"] is None else f"{part['growth_percent']:+.0f} %" for part in (pairs, tree))
+        body = "-" if tree["per_body"] is None else f"{tree['per_body']:,.0f}"
+        sums.add_row(row["core"], row["kind"], at, *rise, body, f"{row['stack_bytes']:,}")
+    return [grid, sums]

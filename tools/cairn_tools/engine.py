@@ -72,7 +72,8 @@ class Run:
     hash: str = ""
     statistics: dict[str, int] = field(default_factory=dict)
     costs: list[int] = field(default_factory=list)  # a step: instructions in QEMU, cycles in rp2040js
-    stack: int = 0
+    stack: int = 0  # bytes, the most ever used
+    stack_before: int = 0  # of which the runner's own, where it calls the step
     contacts: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
 
 
@@ -240,6 +241,8 @@ def _parse(output: str, scene: Scene, got: Run) -> Run:
                 got.hash = rest
             case "stack":
                 got.stack = int(rest)
+            case "stack_before":
+                got.stack_before = int(rest)
             case "end":
                 ended = True
     if not ended:

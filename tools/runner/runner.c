@@ -213,6 +213,7 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
     cairn_print_hex32(runner_hash(world));
     cairn_print_text("\n");
     print_number_line("stack", cairn_port_stack_used());
+    print_number_line("stack_before", cairn_port_stack_now());
     cairn_print_text("end\n");
     return 0;
 }
