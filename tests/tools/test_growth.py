@@ -85,3 +85,11 @@ def test_a_broad_phase_that_changes_what_happens_is_an_error(monkeypatch: pytest
     monkeypatch.setattr(growth.bench, "measure", measured)
     with pytest.raises(engine.EngineError, match="broad phase"):
         growth.measure(["m0"], [10], lambda _: None)
+
+
+def test_a_table_reads_as_markdown() -> None:
+    lines = bench_tables.as_markdown(bench_tables.growth_tables(points())[1]).splitlines()
+    assert lines[0].startswith("| core | world | crossover |")
+    assert lines[1] == "| --- | --- | ---: | ---: | ---: | ---: | ---: |"
+    assert lines[2] == "| m0 | pile | 62 | +50 % | +10 % | 1,210 | 900 |"
+    assert lines[-1] == "From 50 to 200 bodies."

@@ -6,7 +6,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, replace
 from enum import Enum
@@ -52,6 +52,7 @@ Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 SEVERAL = {"bench": {"--core", "--scene"}, "golden": {"--targets"}, "stability": {"--case", "--engine", "--solver"}}
 
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
+Show = Callable[[Table], None]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
 SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
@@ -186,20 +187,22 @@ def bench(
     plot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="With --growth: draw it too.")] = None,
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the tables as docs/SPEED.md has them.")] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Instructions per step on the emulated cores, over steps 121 to 240."""
+    show = bench_tables.print_markdown if markdown else out.print
     if keep or check:
         _bench_record(keep)
         return
     if growth or plot:
         if not growth or scene_name or solver or substeps or passes or cycles or profile:
             raise UserError("--growth takes --core, --plot and --json only, and --plot goes with --growth")
-        _bench_growth([c.value for c in core or ()] or ["m0"], plot, as_json)
+        _bench_growth([c.value for c in core or ()] or ["m0"], plot, as_json, show)
         return
     if cycles:
         wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
-        _bench_cycles(wished, [c.value for c in core or ()], as_json)
+        _bench_cycles(wished, [c.value for c in core or ()], as_json, show)
         return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
@@ -221,10 +224,10 @@ def bench(
     for cost, _ in results:
         counts = (cost.mean_instructions, cost.worst_instructions, cost.worst_instructions_from_start)
         grid.add_row(cost.scene, cost.core, *(f"{count:,.0f}" for count in counts))
-    out.print(grid)
+    show(grid)
     for cost, shares in results:
         if shares:
-            out.print(_profile_table(cost, shares))
+            show(_profile_table(cost, shares))
 
 
 def _bench_record(keep: bool) -> None:
@@ -245,7 +248,7 @@ def _bench_record(keep: bool) -> None:
         raise typer.Exit(1)
 
 
-def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool) -> None:
+def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool, show: Show) -> None:
     """The chips of the cores asked for, or all."""
     chips = [chip for chip in cycles_module.CHIPS if not cores or chip.counted_on in cores]
     if not chips:
@@ -261,10 +264,10 @@ def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool) ->
         print(json.dumps(bench_tables.cycles_record(rows, checks), indent=2))
         return
     for grid in bench_tables.cycles_tables(rows, checks):
-        out.print(grid)
+        show(grid)
 
 
-def _bench_growth(cores: list[str], plot: Path | None, as_json: bool) -> None:
+def _bench_growth(cores: list[str], plot: Path | None, as_json: bool, show: Show) -> None:
     """Worlds of growing size."""
     file = _writable(plot) if plot else None
     with _working("bench --growth") as say:
@@ -275,7 +278,7 @@ def _bench_growth(cores: list[str], plot: Path | None, as_json: bool) -> None:
         print(json.dumps(bench_tables.growth_record(points), indent=2))
         return
     for grid in bench_tables.growth_tables(points):
-        out.print(grid)
+        show(grid)
 
 
 def _profile_table(cost: bench_module.Cost, shares: profile_module.Profile) -> Table:

@@ -11,6 +11,20 @@ from rich.table import Table
 from . import cycles, growth
 
 
+def print_markdown(table: Table) -> None:
+    """A table as Markdown, its caption behind it."""
+    print(as_markdown(table) + "\n")
+
+
+def as_markdown(table: Table) -> str:
+    """A line a row; numbers to the right."""
+    rows = [[str(column.header) for column in table.columns]]
+    rows.append(["---:" if column.justify == "right" else "---" for column in table.columns])
+    rows += map(list, zip(*(map(str, column.cells) for column in table.columns), strict=True))
+    lines = [f"| {' | '.join(row)} |" for row in rows]
+    return "\n".join([*lines, "", f"{table.title}: {table.caption}" if table.caption else f"{table.title}."])
+
+
 def cycles_record(rows: list[cycles.Cycles], checks: list[cycles.Deviation]) -> dict[str, Any]:
     """For --json."""
     used = [timing for name, timing in cycles.TIMINGS.items() if any(row.core == timing.core for row in rows)]
