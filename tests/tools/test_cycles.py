@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from cairn_tools import bench, bench_tables, cycles, engine, scene
+from cairn_tools import bench, bench_tables, cycles, engine, profile, scene
 from cairn_tools.cycles import Chip, Estimate, Instruction, Tally, Timing, Weight
 
 LISTING = """
@@ -143,6 +143,9 @@ def test_the_rp2040_ends_in_the_same_state_and_its_rules_give_its_cycles() -> No
     assert check is not None and abs(check.percent_by_its_rules) < 0.05 and abs(check.percent) < 3
     assert rows[0].hash == engine.run(loaded, "q16", "host", bench.LAST_STEP, 0).hash
     assert rows[0].microseconds == pytest.approx(rows[0].cycles / 125)
+    shares = profile.measure_cycles(loaded, 1, 3)
+    first = engine.run(loaded, "q16", "rp2040", 3, 0).costs
+    assert sum(shares.stages.values()) == pytest.approx(sum(first) / 3, rel=1e-3)
 
 
 def test_a_chip_that_is_not_measured_has_an_estimate_with_a_range() -> None:

@@ -202,7 +202,7 @@ def bench(
         return
     if cycles:
         wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
-        _bench_cycles(wished, [c.value for c in core or ()], as_json, show)
+        _bench_cycles(wished, [c.value for c in core or ()], profile, as_json, show)
         return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
@@ -227,7 +227,7 @@ def bench(
     show(grid)
     for cost, shares in results:
         if shares:
-            show(_profile_table(cost, shares))
+            show(_profile_table(f"{cost.scene} on {cost.core}", "instructions", shares))
 
 
 def _bench_record(keep: bool) -> None:
@@ -248,23 +248,29 @@ def _bench_record(keep: bool) -> None:
         raise typer.Exit(1)
 
 
-def _bench_cycles(scenes: list[scene.Scene], cores: list[str], as_json: bool, show: Show) -> None:
+def _bench_cycles(scenes: list[scene.Scene], cores: list[str], profile: bool, as_json: bool, show: Show) -> None:
     """The chips of the cores asked for, or all."""
     chips = [chip for chip in cycles_module.CHIPS if not cores or chip.counted_on in cores]
     if not chips:
         raise UserError(f"--cycles --core {' '.join(cores)}: {cycles_module.NOT_ESTIMATED}")
-    rows, checks = [], []
+    rows, checks, profiles = [], [], {}
     with _working("bench --cycles") as say:
         for loaded in scenes:
             say(f"{loaded.name} on {', '.join(chip.name for chip in chips)}")
             of_scene, check = cycles_module.measure(loaded, chips)
             rows += of_scene
             checks += [check] if check else []
+            if check and profile:
+                of = (bench_module.FIRST_STEP, bench_module.LAST_STEP)
+                profiles[loaded.name] = profile_module.measure_cycles(loaded, *of)
     if as_json:
-        print(json.dumps(bench_tables.cycles_record(rows, checks), indent=2))
+        shares = {"profiles": {name: asdict(shares) for name, shares in profiles.items()}} if profile else {}
+        print(json.dumps(bench_tables.cycles_record(rows, checks) | shares, indent=2))
         return
     for grid in bench_tables.cycles_tables(rows, checks):
         show(grid)
+    for name, shares in profiles.items():
+        show(_profile_table(f"{name} on the {cycles_module.MEASURED}", "cycles", shares))
 
 
 def _bench_growth(cores: list[str], plot: Path | None, as_json: bool, show: Show) -> None:
@@ -281,10 +287,10 @@ def _bench_growth(cores: list[str], plot: Path | None, as_json: bool, show: Show
         show(grid)
 
 
-def _profile_table(cost: bench_module.Cost, shares: profile_module.Profile) -> Table:
+def _profile_table(title: str, unit: str, shares: profile_module.Profile) -> Table:
     caption = "mean of steps 121-240; the compiler's own routines count as their caller's"
-    grid = Table(title=f"{cost.scene} on {cost.core}", caption=caption)
-    for column in ("stage or function", "instructions", "share"):
+    grid = Table(title=title, caption=caption)
+    for column in ("stage or function", unit, "share"):
         grid.add_column(column, justify="left" if column == "stage or function" else "right")
     total = sum(shares.stages.values())
     dearest = list(shares.functions.items())[:24]

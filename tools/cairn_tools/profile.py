@@ -54,7 +54,7 @@ class Function:
 
 @dataclass(frozen=True)
 class Profile:
-    """Mean instructions a step."""
+    """Mean instructions, or cycles, a step."""
 
     stages: dict[str, float]
     functions: dict[str, float]  # the dearest first
@@ -62,14 +62,34 @@ class Profile:
 
 def measure(scene: Scene, core: str, first: int, last: int) -> Profile:
     """Runs a scene to its step `last` and counts from step `first`."""
-    steps = last - first + 1
+    return _shares([(function, numbers[0]) for function, numbers in rows(scene, core, first, last)], last - first + 1)
+
+
+def measure_cycles(scene: Scene, first: int, last: int) -> Profile:
+    """The same in cycles of the RP2040, as rp2040js has them."""
+    with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
+        image, table, counts = (Path(folder) / name for name in ("runner.elf", "map", "counts"))
+        engine.build_image(scene, "rp2040", image)
+        functions = _functions(image)
+        table.write_text(_map(functions), encoding="utf-8")
+        options = ["--map", str(table), "--out", str(counts), "--first", str(first), "--last", str(last)]
+        engine.run_image(scene, "rp2040", image, [f"steps={last}", "every=0"], options)
+        cycles = [int(line.split()[1]) for line in counts.read_text(encoding="utf-8").splitlines()]
+    return _shares(list(zip(functions, cycles, strict=True)), last - first + 1)
+
+
+def _shares(numbers: list[tuple[Function, int]], steps: int) -> Profile:
     stages: Counter[str] = Counter({name: 0 for name in STAGES})
     own: Counter[str] = Counter()
-    for function, (number, *_) in rows(scene, core, first, last):
+    for function, number in numbers:
         if number:
             stages[_stage(function)] += number / steps
             own[function.name] += number / steps
     return Profile(dict(stages), dict(own.most_common()))
+
+
+def _map(functions: list[Function]) -> str:
+    return "".join(f"{f.low:x} {f.high:x} {f.kind}\n" for f in functions)
 
 
 def rows(
@@ -82,7 +102,7 @@ def rows(
         engine.build_image(scene, core, image)
         functions = _functions(image)
         table = Path(folder) / "map"
-        table.write_text("".join(f"{f.low:x} {f.high:x} {f.kind}\n" for f in functions), encoding="utf-8")
+        table.write_text(_map(functions), encoding="utf-8")
         words = f"file={plugin},map={table},out={counts},first={first},last={last}"
         if listing is not None:
             code.write_text("\n".join(listing(image)) + "\n", encoding="utf-8")
