@@ -5,7 +5,7 @@
  * conservative advancement along the separating axis (Mirtich). Its rows close at the right time with the right normal and levers, so that
  * restitution and sliding come out as they should, and a body that will miss gets no contact at all.
  * After the solver: a displacement that would carry a body's core, a disc of nine tenths of its inner radius, into another body is cut
- * short. That catches whatever the step did not foresee, as a third body behind a bounce.
+ * to what the two do together. That catches whatever the step did not foresee, as a third body behind a bounce.
  */
 #include "engine.h"
 
@@ -251,8 +251,8 @@ static void approach_point(const cairn_pose *obstacle, cairn_manifold *out)
     obstacle->shape->kind->collide[0](&at, obstacle, ANY_DISTANCE, out);
 }
 
-/* Whether the nearest point of the obstacle's surface moves away from the path's body. */
-static bool parts(const course *path, const course *obstacle, const cairn_pose *pose, const cairn_manifold *contact)
+/* How far the nearest point of the obstacle's surface comes nearer in the whole step, as it moves now. */
+static cairn_offset approach_of(const course *path, const course *obstacle, const cairn_pose *pose, const cairn_manifold *contact)
 {
     cairn_unit nx = contact->normal_x, ny = contact->normal_y;
     cairn_offset away = cairn_offset_dot(obstacle->dx - path->dx, obstacle->dy - path->dy, nx, ny);
@@ -260,7 +260,7 @@ static bool parts(const course *path, const course *obstacle, const cairn_pose *
         cairn_offset arm = cairn_offset_dot(contact->points[0].x - pose->x, contact->points[0].y - pose->y, ny, -nx);
         away += cairn_motion_lever(cairn_offset_from_motion(obstacle->body->dw), cairn_lever_of(arm, obstacle->body->inverse_gyration));
     }
-    return away >= 0;
+    return -away;
 }
 
 /* How far into the step the core comes before it touches the other body; 1 if it does not. */
@@ -286,7 +286,8 @@ static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
         }
         cairn_offset way = contact.separation - core;
         if (way <= HIT) {
-            return parts(&path, &obstacle, &pose, &contact) ? CAIRN_UNIT(1) : time;
+            cairn_offset more = cairn_offset_mul(approach_of(&path, &obstacle, &pose, &contact), CAIRN_UNIT(1) - time);
+            return more > HIT ? time : CAIRN_UNIT(1);
         }
         cairn_offset closing = obstacle.sweep - cairn_offset_dot(obstacle.dx - path.dx, obstacle.dy - path.dy, contact.normal_x, contact.normal_y);
         if (closing <= 0 || way >= cairn_offset_mul(closing, CAIRN_UNIT(1) - time)) {
@@ -297,14 +298,32 @@ static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
     return time;
 }
 
-static void cut_short(cairn_body *body, cairn_unit time)
+/* What two displacements have in common. */
+static cairn_motion common(cairn_motion a, cairn_motion b)
 {
-    body->dx = cairn_motion_unit(body->dx, time);
-    body->dy = cairn_motion_unit(body->dy, time);
-    body->dw = cairn_motion_unit(body->dw, time);
+    if ((a > 0) != (b > 0)) {
+        return 0;
+    }
+    return magnitude(a) < magnitude(b) ? a : b;
 }
 
-static void clip_body(cairn_world *world, uint16_t index)
+/*
+ * From this time on the two do only what they do together. Neither is moved any farther than it would have been, so that nothing is pushed
+ * through a third one.
+ */
+static void cut_short(cairn_body *fast, cairn_body *other, cairn_unit time)
+{
+    cairn_motion x = common(fast->dx, other->dx), y = common(fast->dy, other->dy);
+    fast->dx = x + cairn_motion_unit(fast->dx - x, time);
+    fast->dy = y + cairn_motion_unit(fast->dy - y, time);
+    if (cairn_body_is_dynamic(other)) { /* else it would go on over the body that waits for it */
+        other->dx = x + cairn_motion_unit(other->dx - x, time);
+        other->dy = y + cairn_motion_unit(other->dy - y, time);
+        other->dw = cairn_motion_unit(other->dw, time);
+    }
+}
+
+static bool clip_body(cairn_world *world, uint16_t index)
 {
     cairn_body *fast = &world->bodies[index], *nearest = NULL;
     cairn_unit time = CAIRN_UNIT(1);
@@ -319,21 +338,25 @@ static void clip_body(cairn_world *world, uint16_t index)
             }
         }
     }
-    if (nearest != NULL) {
-        cut_short(fast, time);
-        if (cairn_body_is_dynamic(nearest)) {
-            cut_short(nearest, time); /* else it would go on over the body that waits for it */
-        }
+    if (nearest == NULL) {
+        return false;
     }
+    cut_short(fast, nearest, time);
+    return true;
 }
 
+/* Twice, where anything was cut: what stops short may stand in the way of what was looked at before it. */
 static void clip(cairn_world *world)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        unsigned flags = world->bodies[i].flags;
-        if ((flags & CAIRN_BODY_FAST) && !(flags & CAIRN_BODY_SENSOR) && cairn_body_is_dynamic(&world->bodies[i])
-            && cairn_body_is_active(&world->bodies[i])) {
-            clip_body(world, i);
+    bool again = true;
+    for (int sweep = 0; sweep < 2 && again; sweep++) {
+        again = false;
+        for (uint16_t i = 0; i < world->body_end; i++) {
+            unsigned flags = world->bodies[i].flags;
+            if ((flags & CAIRN_BODY_FAST) && !(flags & CAIRN_BODY_SENSOR) && cairn_body_is_dynamic(&world->bodies[i])
+                && cairn_body_is_active(&world->bodies[i])) {
+                again = clip_body(world, i) || again;
+            }
         }
     }
 }
