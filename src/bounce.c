@@ -477,20 +477,54 @@ static void hasten(cairn_world *world, cairn_body *body)
     world->fast++;
 }
 
-static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep)
+static impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, int substep)
 {
     impact i;
-    cairn_motion first, second;
     i.arbiter = arbiter;
     i.a = &world->bodies[arbiter->a];
     i.b = &world->bodies[arbiter->b];
     i.substep = substep;
     mix(&i, world);
     weigh(&i, world);
+    return i;
+}
+
+static bool may_bounce(const cairn_arbiter *arbiter)
+{
+    return (arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY);
+}
+
+/* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
+static bool is_forestalled(cairn_world *world, const impact *i)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+        bool shared = b == i->b || b == i->a || (a == i->a && cairn_body_is_dynamic(a)) || a == i->b;
+        if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
+            impact other = impact_of(world, arbiter, i->substep);
+            if (foresee(&other) && other.time < i->time) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, bool waits)
+{
+    impact i = impact_of(world, arbiter, substep);
+    cairn_motion first, second;
     if (substep > 0) {
         refresh(world, &i);
     }
-    if (!foresee(&i) || !meet(world, &i)) {
+    if (!foresee(&i)) {
+        return false;
+    }
+    if (waits && is_forestalled(world, &i)) {
+        return true;
+    }
+    if (!meet(world, &i)) {
         return false;
     }
     forget(&i);
@@ -517,8 +551,8 @@ static void impact_phase(cairn_world *world, int substep)
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
             uint16_t at = (uint16_t)(pass & 1 ? world->arbiter_count - 1 - place : place);
             cairn_arbiter *arbiter = cairn_arbiter_at(world, at);
-            if ((arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) {
-                any = collide(world, arbiter, substep) || any;
+            if (may_bounce(arbiter)) {
+                any = collide(world, arbiter, substep, pass < PASSES / 2) || any;
             }
         }
     }

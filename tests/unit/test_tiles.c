@@ -6,7 +6,7 @@
 static const cairn_shape tile = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
 static const cairn_shape crate = CAIRN_BOX(CAIRN_F(0.8), CAIRN_F(0.8));
 static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.3));
-static const cairn_material ice = CAIRN_MATERIAL(CAIRN_F(0), CAIRN_F(0));
+static const cairn_material ice = CAIRN_MATERIAL(0.0, 0.0);
 
 void setUp(void)
 {
@@ -117,6 +117,22 @@ void test_a_crate_lands_beyond_a_joint_as_on_one_floor(void)
     run(30);
     ASSERT_NEAR(0.002, 3, vx_of(id));
     ASSERT_NEAR(0.002, 0, spin_of(id));
+}
+
+/* It comes down just beyond a joint: the corner there is nearly as near. */
+void test_a_ball_bounces_off_a_joint_as_off_one_floor(void)
+{
+    static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0.0, 0.0, 0.9, 0.0);
+    for (int i = 0; i < 8; i++) {
+        cairn_body_def def = def_at(&marble, CAIRN_F(3.36) + i * CAIRN_F(0.02), CAIRN_F(0.5));
+        def.velocity = cairn_vec2_of(CAIRN_F(3), CAIRN_F(-4));
+        def.material = &rubber;
+        cairn_body_id id = make(&def);
+        run(6);
+        TEST_ASSERT_TRUE(vy_of(id) > CAIRN_F(3));
+        ASSERT_NEAR(0.001, 3, vx_of(id));
+        ASSERT_OK(cairn_body_destroy(world, id));
+    }
 }
 
 /* A step of 1 cm is no joint. */
