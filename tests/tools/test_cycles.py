@@ -34,7 +34,7 @@ def classes(lines: list[str]) -> list[tuple[str, int]]:
 def test_a_listing_is_sorted_into_classes() -> None:
     assert classes(LISTING) == [
         ("push with lr", 3), ("load", 1), ("load behind load", 1), ("store", 1), ("other", 0), ("it", 0), ("other", 0),
-        ("load", 1), ("multiply", 0), ("branch", 0), ("long multiply", 0), ("pop with pc", 7),
+        ("load behind address", 1), ("multiply", 0), ("branch", 0), ("long multiply", 0), ("pop with pc", 7),
     ]  # fmt: skip
 
 
@@ -81,7 +81,18 @@ def test_a_load_whose_address_was_just_loaded_is_not_behind_a_load() -> None:
     assert cycles.classify(Instruction(2, "ldr", "r1, [r3]"), first) == ("load", 1)
     assert cycles.classify(Instruction(2, "str", "r1, [r0, r3]"), first) == ("store", 1)
     assert cycles.classify(Instruction(2, "str", "r3, [r0, #8]"), first) == ("store behind load", 1)
-    assert cycles.classify(Instruction(2, "ldr", "r1, [r0]"), Instruction(0, "adds", "r3, r0, r1")) == ("load", 1)
+    assert cycles.classify(Instruction(2, "ldr", "r1, [r0]"), Instruction(0, "ldrd", "r3, r4, [r0]")) == ("load", 1)
+
+
+def test_a_load_whose_address_was_just_made_is_held_up() -> None:
+    load, store = Instruction(2, "ldr", "r1, [r0, #4]"), Instruction(2, "strh", "r1, [r3, r0]")
+    made = Instruction(0, "adds", "r0, r2, r1")
+    assert cycles.classify(load, made) == ("load behind address", 1)
+    assert cycles.classify(store, made) == ("store behind address", 1)
+    assert cycles.classify(store, Instruction(0, "smull", "r4, r0, r2, r1")) == ("store behind address", 1)
+    assert cycles.classify(load, Instruction(0, "adds", "r1, r2, r0")) == ("load", 1)
+    assert cycles.classify(load, Instruction(0, "cmp", "r0, r2")) == ("load", 1)
+    assert cycles.classify(load, Instruction(0, "bl", "0 <r0>")) == ("load", 1)
 
 
 def test_an_estimate_is_counts_times_weights_with_its_range() -> None:

@@ -59,7 +59,8 @@ class Instruction:
 
 # What an instruction is to a timing table. The plugin knows a class by its place here.
 CLASSES = (
-    "other", "load", "load behind load", "store", "store behind load", "multiple", "push with lr", "pop with pc",
+    "other", "load", "load behind load", "load behind address", "store", "store behind load", "store behind address",
+    "multiple", "push with lr", "pop with pc",
     "multiply", "multiply-add", "long multiply", "long multiply-add", "divide", "branch", "jump", "call", "indirect",
     "load pc", "table jump", "it", "float",
 )  # fmt: skip
@@ -69,7 +70,7 @@ def _v6m(taken: int, call: int, pop: int) -> dict[str, Weight]:
     """The cores without Thumb-2: loads and stores of 2 cycles, one more for each register after the first."""
     return {
         "other": Weight(1, 1),
-        **dict.fromkeys(("load", "load behind load", "store", "store behind load"), Weight(2, 2)),
+        **dict.fromkeys((name for name in CLASSES if name.startswith(("load", "store"))), Weight(2, 2)),
         **dict.fromkeys(("multiple", "push with lr"), Weight(1, 1, register=1)),
         "pop with pc": Weight(pop, pop, register=1),
         "multiply": Weight(1, 1),
@@ -80,13 +81,16 @@ def _v6m(taken: int, call: int, pop: int) -> dict[str, Weight]:
 
 
 def _v7m(multiply_add: int, long_multiply: tuple[int, int], long_add: tuple[int, int]) -> dict[str, Weight]:
-    """M3 and M4: a refill of the pipeline takes 1 to 3 cycles; a load behind a load is a cycle shorter if all is well;
-    a store takes 1 cycle unless the buffer is full; an IT may be folded into the instruction before it."""
+    """M3 and M4. A refill of the pipeline takes 1 to 3 cycles. A load behind a load is a cycle shorter if all is well; a
+    load or store behind what makes its address is a cycle longer. A store takes 1 cycle unless the buffer is full. An
+    IT may be folded into the instruction before it."""
     return {
         "other": Weight(1, 1),
         "load": Weight(2, 2),
         "load behind load": Weight(1, 2),
+        "load behind address": Weight(3, 3),
         **dict.fromkeys(("store", "store behind load"), Weight(1, 2)),
+        "store behind address": Weight(2, 3),
         **dict.fromkeys(("multiple", "push with lr"), Weight(1, 1, register=1)),
         "pop with pc": Weight(2, 4, register=1),
         "multiply": Weight(1, 1),
@@ -104,10 +108,11 @@ def _v7m(multiply_add: int, long_multiply: tuple[int, int], long_add: tuple[int,
 
 _M0_PLUS = _v6m(taken=2, call=3, pop=3)
 TIMINGS = {
-    "m0+": Timing("Cortex-M0+", "Arm DDI 0484C, Cortex-M0+ TRM r0p1, table 3-1, with the fast multiplier", _M0_PLUS),
+    "m0+": Timing("Cortex-M0+", "Arm DDI 0484C, Cortex-M0+ TRM r0p1, table 3-1, fast multiplier; N counts lr and pc",
+                  _M0_PLUS),
     "m3": Timing("Cortex-M3", "Arm DDI 0337I, Cortex-M3 TRM r2p1, table 3-1 and section 3.3.2",
                  _v7m(2, (3, 5), (4, 7))),
-    "m4": Timing("Cortex-M4", "Arm DDI 0439D, Cortex-M4 TRM r0p1, table 3-1 and section 3.3.3",
+    "m4": Timing("Cortex-M4", "Arm 100166 0001, Cortex-M4 TRM r0p1, table 3-1 and section 3.3.2",
                  _v7m(1, (1, 1), (1, 1))),
     # The emulator's own: a cycle less where lr is pushed and where pc is popped. Its sum must be the measured one.
     "rp2040js": Timing("rp2040js", "rp2040js 1.4.1, cortex-m0-core.js", {
@@ -126,6 +131,7 @@ NOT_ESTIMATED = "m7, m33 and rv32 have no estimate: no instruction timings are p
 _LINE = re.compile(r"^ *([0-9a-f]+):\t([a-z][a-z0-9.]*)(?:\t(.*))?$")
 _SINGLE = re.compile(r"^v?(ldr|str)(b|h|sb|sh|ex|t)?$")
 _BRANCH = re.compile(r"^b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$")
+_COMPARES = ("cmp", "cmn", "tst", "teq")
 _REGISTER_RANGE = re.compile(r"\b[rsd](\d+)-[rsd](\d+)\b")
 
 
@@ -213,7 +219,7 @@ def classify(it: Instruction, before: Instruction | None = None) -> tuple[str, i
         kind = "load" if "ldr" in name else "store"
         if first == "pc":
             return "load pc", 1
-        return (f"{kind} behind load" if before is not None and _feeds_on(before, it) else kind), 1
+        return kind + (_behind(before, it) if before is not None else ""), 1
     return _other_class(name, first), 0
 
 
@@ -232,13 +238,15 @@ def _other_class(name: str, first: str) -> str:
     return "float" if name.startswith("v") else "multiply" if name.startswith(("smul", "smla", "smm")) else "other"
 
 
-def _feeds_on(before: Instruction, it: Instruction) -> bool:
-    """Whether a load or store can overlap the load before it: if its address does not need what is loaded."""
-    if not before.mnemonic.startswith("ldr") or before.mnemonic == "ldrd":
-        return False
-    loaded = before.operands.split(",")[0].strip()
-    address = it.operands.partition("[")[2]
-    return loaded != "pc" and loaded not in re.findall(r"[a-z]+\d*", address)
+def _behind(before: Instruction, it: Instruction) -> str:
+    """What the instruction before it means to a single load or store: a load can overlap it unless it loads what the
+    address is made of; what makes the address holds it up."""
+    written = [word.strip() for word in before.operands.split(",")[: 2 if "mull" in before.mnemonic else 1]]
+    needed = set(re.findall(r"[a-z]+\d*", it.operands.partition("[")[2])) & set(written)
+    if _SINGLE.match(before.mnemonic):
+        return " behind load" if before.mnemonic.startswith("ldr") and written != ["pc"] and not needed else ""
+    computes = classify(before)[0] in ("other", "multiply", "multiply-add", "long multiply", "divide")
+    return " behind address" if needed and computes and before.mnemonic not in _COMPARES else ""
 
 
 def _registers(operands: str) -> list[str]:
