@@ -119,6 +119,32 @@ void test_two_bullets_that_meet_head_on_do_not_pass_one_another(void)
     TEST_ASSERT_TRUE(x_of(a) < x_of(b));
 }
 
+/*
+ * Three to one, at a third of the greatest speed. The impulse of that impact is not there to begin
+ * the next step with: it would drive one of them into the limit, and momentum out of the world.
+ */
+void test_a_fast_impact_off_centre_keeps_the_momentum_in_every_step(void)
+{
+    static const cairn_shape square = CAIRN_BOX(CAIRN_F(0.2), CAIRN_F(0.2));
+    for (int i = 0; i < 10; i++) {
+        open_yard(0);
+        cairn_real speed = CAIRN_F(48);
+        cairn_body_def def = def_at(&square, CAIRN_F(-1) - CAIRN_F(0.08) * i, 0);
+        def.velocity.x = speed;
+        def.density = cairn_wide_from_int(3);
+        cairn_body_id heavy = make(&def);
+        def.position = at(CAIRN_F(1), CAIRN_F(0.07));
+        def.velocity.x = -speed;
+        def.density = cairn_wide_from_int(1);
+        cairn_body_id light = make(&def);
+        for (int k = 0; k < 8; k++) {
+            run(1);
+            TEST_ASSERT_TRUE(size_of(vx_of(light)) <= speed + CAIRN_F(0.01));
+            ASSERT_NEAR(0.05, 96, 3 * vx_of(heavy) + vx_of(light));
+        }
+    }
+}
+
 /* It takes the box along: m u = (m + M) v, m = 0.0025 pi. */
 void test_a_bullet_gives_its_momentum_to_the_box_that_it_hits(void)
 {
