@@ -62,7 +62,7 @@ CLASSES = (
     "other", "load", "load behind load", "load behind address", "store", "store behind load", "store behind address",
     "multiple", "push with lr", "pop with pc",
     "multiply", "multiply-add", "long multiply", "long multiply-add", "divide", "branch", "jump", "call", "indirect",
-    "load pc", "table jump", "it", "float",
+    "jump by load", "jump by table", "it", "float",
 )  # fmt: skip
 
 
@@ -81,9 +81,9 @@ def _v6m(taken: int, call: int, pop: int) -> dict[str, Weight]:
 
 
 def _v7m(multiply_add: int, long_multiply: tuple[int, int], long_add: tuple[int, int]) -> dict[str, Weight]:
-    """M3 and M4. A refill of the pipeline takes 1 to 3 cycles. A load behind a load is a cycle shorter if all is well; a
-    load or store behind what makes its address is a cycle longer. A store takes 1 cycle unless the buffer is full. An
-    IT may be folded into the instruction before it."""
+    """M3 and M4. A refill of the pipeline takes 1 to 3 cycles. A load behind a load is a cycle shorter if all is well.
+    A load or store behind what makes its address is a cycle longer. A store takes 1 cycle unless the buffer is full.
+    An IT may be folded into the instruction before it."""
     return {
         "other": Weight(1, 1),
         "load": Weight(2, 2),
@@ -100,7 +100,7 @@ def _v7m(multiply_add: int, long_multiply: tuple[int, int], long_add: tuple[int,
         "divide": Weight(2, 12),
         "branch": Weight(1, 1, jump=(1, 3)),
         **dict.fromkeys(("jump", "call", "indirect"), Weight(2, 4)),
-        **dict.fromkeys(("load pc", "table jump"), Weight(3, 5)),
+        **dict.fromkeys(("jump by load", "jump by table"), Weight(3, 5)),
         "it": Weight(0, 1),
         "float": Weight(1, 14),
     }
@@ -218,7 +218,7 @@ def classify(it: Instruction, before: Instruction | None = None) -> tuple[str, i
     if _SINGLE.match(name):
         kind = "load" if "ldr" in name else "store"
         if first == "pc":
-            return "load pc", 1
+            return "jump by load", 1
         return kind + (_behind(before, it) if before is not None else ""), 1
     return _other_class(name, first), 0
 
@@ -226,7 +226,7 @@ def classify(it: Instruction, before: Instruction | None = None) -> tuple[str, i
 def _other_class(name: str, first: str) -> str:
     if _BRANCH.match(name) or name in ("cbz", "cbnz"):
         return "branch"
-    exact = {"b": "jump", "bl": "call", "bx": "indirect", "blx": "indirect", "tbb": "table jump", "tbh": "table jump",
+    exact = {"b": "jump", "bl": "call", "bx": "indirect", "blx": "indirect", "tbb": "jump by table", "tbh": "jump by table",
              "mla": "multiply-add", "mls": "multiply-add", "sdiv": "divide", "udiv": "divide", "it": "it",
              "smull": "long multiply", "umull": "long multiply", "smlal": "long multiply-add",
              "umlal": "long multiply-add", "umaal": "long multiply-add",
