@@ -116,6 +116,8 @@ def test_pictures_are_written(tmp_path: Path) -> None:
         (["run", "tower", "--csv", "-", "--hash"], "--csv -"),
         (["run", "tower", "--svg", "/nowhere/a.svg"], "no folder /nowhere"),
         (["bench", "--core", "m99"], "m99"),
+        (["bench", "--peers", "--substeps", "8"], "--peers"),
+        (["bench", "--peers", "--core", "m55"], "not on m55"),
         (["table", "tower"], "--out"),
         (["table", "tower", "--out", "t.c", "--name", "a b"], "--name"),
         (["jump"], "jump"),

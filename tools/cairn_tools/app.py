@@ -27,6 +27,7 @@ from . import cycles as cycles_module
 from . import golden as golden_module
 from . import growth as growth_module
 from . import kept as kept_module
+from . import peers as peers_module
 from . import profile as profile_module
 from .errors import UserError
 from .stability import command as stability_module
@@ -187,6 +188,7 @@ def bench(
     plot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="With --growth: draw it too.")] = None,
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
+    peers: Annotated[bool, typer.Option("--peers", help="Beside Chipmunk and Box2D; fetches their sources.")] = False,
     markdown: Annotated[bool, typer.Option("--markdown", help="Print the tables as docs/SPEED.md has them.")] = False,
     as_json: JsonOption = False,
 ) -> None:
@@ -194,6 +196,15 @@ def bench(
     show = bench_tables.print_markdown if markdown else out.print
     if keep or check:
         _bench_record(keep)
+        return
+    cores = [c.value for c in core] if core else list(bench_module.CORES)
+    if peers:
+        if profile or cycles or growth or plot or solver or substeps or passes:
+            raise UserError("--peers takes --core, --scene, --markdown and --json only")
+        if unfit := [name for name in cores if name not in peers_module.CORES]:
+            raise UserError(f"--peers runs on {' '.join(peers_module.CORES)}, not on {unfit[0]}")
+        wished = [_scene(name, None, None, None) for name in scene_name or kept_module.SCENES]
+        _bench_peers(wished, cores, as_json, show)
         return
     if growth or plot:
         if not growth or scene_name or solver or substeps or passes or cycles or profile:
@@ -204,7 +215,6 @@ def bench(
         wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
         _bench_cycles(wished, [c.value for c in core or ()], profile, as_json, show)
         return
-    cores = [c.value for c in core] if core else list(bench_module.CORES)
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
     results = []
     with _working("bench") as say:
@@ -228,6 +238,27 @@ def bench(
     for cost, shares in results:
         if shares:
             show(_profile_table(f"{cost.scene} on {cost.core}", "instructions", shares))
+
+
+def _bench_peers(scenes: list[scene.Scene], cores: list[str], as_json: bool, show: Show) -> None:
+    """Measures all engines; exit code 1 if one does not stand, for then its cost means nothing."""
+    rows: list[list[peers_module.Cost]] = []
+    with _working("peers") as say:
+        versions = peers_module.fetch()
+        for loaded in scenes:
+            for name in cores:
+                say(f"{loaded.name} on {name}")
+                rows.append(list(peers_module.measure(loaded, name, versions)))
+    if as_json:
+        record = {"settings": peers_module.settings(versions), "costs": [asdict(cost) for row in rows for cost in row]}
+        print(json.dumps(record, indent=2))
+    else:
+        for grid in bench_tables.peer_tables(rows):
+            show(grid)
+        for name, settings in peers_module.settings(versions).items():
+            print(f"- {name}: {settings}")
+    if not all(cost.stands for row in rows for cost in row):
+        raise typer.Exit(1)
 
 
 def _bench_record(keep: bool) -> None:

@@ -1,4 +1,4 @@
-"""What `bench --cycles` and `bench --growth` print."""
+"""What `bench --cycles`, `bench --growth` and `bench --peers` print."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from rich import box
 from rich.table import Table
 
-from . import cycles, growth
+from . import cycles, growth, peers
 
 
 def print_markdown(table: Table) -> None:
@@ -139,3 +139,34 @@ def growth_tables(points: list[growth.Point]) -> list[Table]:
         body = "-" if tree["per_body"] is None else f"{tree['per_body']:,.0f}"
         sums.add_row(row["core"], row["kind"], at, *rise, body, f"{row['stack_bytes']:,}")
     return [grid, sums]
+
+
+def peer_tables(rows: list[list[peers.Cost]]) -> list[Table]:
+    """Instructions and how far bodies went, then memory; a row is a scene on a core by all engines."""
+    order = ", ".join(peers.ENGINES)
+    caption = f"mean of steps 121-240; times: of Cairn's; farthest move of a body from its start: {order}"
+    speed = _of_scenes("Thousands of instructions a step", caption)
+    caption = f"flash and RAM: what the engine adds to the same image, RAM without the stack; stack: of all. {order}"
+    memory = _of_scenes("Memory", caption)
+    first, *others = peers.ENGINES
+    for column in (first, *(column for name in others for column in (name, "times")), "farthest, m"):
+        speed.add_column(column, justify="right", no_wrap=True)
+    for column in ("flash, KB", "RAM, KB", "stack, bytes"):
+        memory.add_column(column, justify="right", no_wrap=True)
+    for row in rows:
+        counts = [f"{row[0].mean_instructions / 1000:,.0f}"]
+        for cost in row[1:]:
+            counts += [f"{cost.mean_instructions / 1000:,.0f}", f"{cost.times_cairn:.1f}"]
+        moves = " ".join(f"{cost.farthest_move:.2f}{'' if cost.stands else ' FELL'}" for cost in row)
+        speed.add_row(row[0].scene, row[0].core, *counts, moves)
+        kilobytes = [" ".join(f"{size / 1024:.1f}" for size in sizes)
+                     for sizes in ([c.flash_bytes for c in row], [c.ram_bytes for c in row])]  # fmt: skip
+        memory.add_row(row[0].scene, row[0].core, *kilobytes, " ".join(str(cost.stack_bytes) for cost in row))
+    return [speed, memory]
+
+
+def _of_scenes(title: str, caption: str) -> Table:
+    grid = Table(title=title, caption=caption, box=box.SIMPLE, pad_edge=False)
+    for column in ("scene", "core"):
+        grid.add_column(column, no_wrap=True)
+    return grid

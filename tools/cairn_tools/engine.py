@@ -115,14 +115,14 @@ def build_image(scene: Scene, target: str, image: Path) -> None:
     text = table(scene, "cairn_the_scene")
     _configure(emulated.preset)
     place = BUILDS / emulated.preset / "tools" / "runner"
-    with _lock(emulated.preset):
+    with lock(emulated.preset):
         source = place / emulated.board / "table.c"
         source.parent.mkdir(parents=True, exist_ok=True)
         source.write_text(text, encoding="utf-8")
-        log = _cmake("--build", str(BUILDS / emulated.preset), "--target", f"runner-{emulated.board}")
+        log = cmake("--build", str(BUILDS / emulated.preset), "--target", f"runner-{emulated.board}")
         if log and "overflowed by" in log:
             raise UserError(f"{scene.path}: does not fit into the memory of {emulated.board}")
-        _check_build(log)
+        check_build(log)
         shutil.copy(place / f"runner-{emulated.board}.elf", image)
 
 
@@ -133,40 +133,40 @@ def _no_states(scene: Scene) -> Trajectory:
 def host_program(preset: str, name: str) -> Path:
     """A program of the host's, built where it is not up to date."""
     _configure(preset)
-    with _lock(preset):
-        _check_build(_cmake("--build", str(BUILDS / preset), "--target", name))
+    with lock(preset):
+        check_build(cmake("--build", str(BUILDS / preset), "--target", name))
     return BUILDS / preset / "tools" / "runner" / name
 
 
 def host_library(preset: str) -> Path:
     """The engine as a shared library for cairn_tools.host, built where it is not up to date."""
     _configure(preset)
-    with _lock(preset):
-        _check_build(_cmake("--build", str(BUILDS / preset), "--target", "cairn-shared"))
+    with lock(preset):
+        check_build(cmake("--build", str(BUILDS / preset), "--target", "cairn-shared"))
     return BUILDS / preset / "tools" / "host" / "libcairn-shared.so"
 
 
 def profiler() -> Path:
     """The plugin for QEMU of tools/profile."""
     _configure("host")
-    with _lock("host"):
-        _check_build(_cmake("--build", str(BUILDS / "host"), "--target", "cairn-profile"))
+    with lock("host"):
+        check_build(cmake("--build", str(BUILDS / "host"), "--target", "cairn-profile"))
     return BUILDS / "host" / "tools" / "profile" / "libcairn-profile.so"
 
 
 def _configure(preset: str) -> None:
-    with _lock(preset):
+    with lock(preset):
         if not (BUILDS / preset / "build.ninja").is_file():
-            _check_build(_cmake("--preset", preset, "-B", str(BUILDS / preset), "-DCAIRN_BUILD_TESTS=OFF"))
+            check_build(cmake("--preset", preset, "-B", str(BUILDS / preset), "-DCAIRN_BUILD_TESTS=OFF"))
 
 
-def _cmake(*arguments: str) -> str | None:
+def cmake(*arguments: str) -> str | None:
     """Runs CMake quietly; gives what it said if it failed."""
     done = subprocess.run(["cmake", *arguments], cwd=ROOT, capture_output=True, text=True, check=False)
     return None if done.returncode == 0 else done.stdout + done.stderr
 
 
-def _check_build(log: str | None) -> None:
+def check_build(log: str | None) -> None:
     if log is None:
         return
     file = BUILDS / "build.log"
@@ -177,10 +177,10 @@ def _check_build(log: str | None) -> None:
 
 
 @contextmanager
-def _lock(preset: str) -> Iterator[None]:
+def lock(name: str) -> Iterator[None]:
     """Keeps two commands from building in one folder at a time."""
     BUILDS.mkdir(parents=True, exist_ok=True)
-    file = BUILDS / f"{preset}.lock"
+    file = BUILDS / f"{name}.lock"
     with file.open("w", encoding="utf-8") as handle:
         fcntl.flock(handle, fcntl.LOCK_EX)
         yield
