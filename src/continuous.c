@@ -145,14 +145,17 @@ static void look_beyond(const cairn_pose *a, const cairn_pose *b, cairn_offset x
     }
 }
 
+/* What two bodies do in this step. */
+typedef enum outcome { OUTCOME_MISS, OUTCOME_NEAR, OUTCOME_TOUCH } outcome;
+
 /*
- * Advance until the two touch; false if they do not in this step. Neither going straight nor turning may cover more than the
+ * Advance until the two touch. Neither going straight nor turning may cover more than the
  * distance; but beside a body that turns, the bound on turning gives ever smaller parts, so that near it, and
  * late, turning is followed in parts of TURN instead: a corner then grazes unseen by w^2 TURN^2 r / 8, 0.1 mm at 60 rad/s and 0.15 m.
  * `out` holds the contact as it was seen last before they touched, for a corner that is in already may have the wrong normal.
  * What is near the other one when the step ends has its contact too, for the forces that are not foreseen.
  */
-static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
+static outcome find_meeting(const course *a, const course *b, cairn_manifold *out)
 {
     cairn_unit time = 0;
     bool near = false;
@@ -165,12 +168,12 @@ static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
             *out = now;
         }
         if (touches) {
-            return true;
+            return OUTCOME_TOUCH;
         }
         cairn_offset straight = straight_speed(a, b, &now), way = now.separation > 2 * HIT ? now.separation - HIT : HIT;
         cairn_unit part = time_for(way, straight + a->sweep + b->sweep), rest = CAIRN_UNIT(1) - time;
         if (rest == 0 || (part >= rest && !near)) {
-            return near;
+            return near ? OUTCOME_NEAR : OUTCOME_MISS;
         }
         if (part < TURN && (near || i >= ADVANCES / 3)) {
             part = time_for(way, straight);
@@ -178,7 +181,7 @@ static bool find_meeting(const course *a, const course *b, cairn_manifold *out)
         }
         time += part < rest ? part : rest;
     }
-    return near;
+    return near ? OUTCOME_NEAR : OUTCOME_MISS;
 }
 
 static void meet(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out)
@@ -186,8 +189,15 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
     course ca = ahead(world, a, 0, 0);
     course cb = ahead(world, b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
                       cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
-    if (!find_meeting(&ca, &cb, out)) {
+    outcome found = find_meeting(&ca, &cb, out);
+    if (found == OUTCOME_MISS) {
         out->count = 0;
+        return;
+    }
+    if ((a->flags | b->flags) & CAIRN_BODY_SENSOR) {
+        if (found == OUTCOME_TOUCH) {
+            out->points[0].separation = 0; /* it counts as touching: a sensor must not miss what flies through */
+        }
         return;
     }
     if (out->separation >= -GRAZE) {

@@ -91,7 +91,8 @@ static cairn_unit size_of(cairn_unit x) { return x < 0 ? -x : x; }
 static bool is_taut(const cairn_spring *spring, cairn_offset length)
 {
     cairn_offset pull = cairn_offset_from_motion(spring->sum);
-    return TAUT * pull > length || -TAUT * pull > length;
+    cairn_offset most = length / TAUT;
+    return pull > most || -pull > most;
 }
 
 /*

@@ -268,6 +268,31 @@ void test_layers_and_sensors_let_bullets_through(void)
     ASSERT_NEAR(4 * LSB, 15, x_of(id));
 }
 
+/* A sheet of 2 cm, at 1.7 m a step: no step ends in it, and one of them sees it; it does not see what flies past. */
+void test_a_sensor_sees_what_flies_through_it_in_one_step(void)
+{
+    for (int i = 0; i < 20; i++) {
+        for (int past = 0; past < 2; past++) {
+            cairn_contact contact;
+            int seen = 0, began = 0;
+            open_yard(0);
+            cairn_body_def def = def_at(&sheet, 0, past ? CAIRN_F(3.06) : 0);
+            def.type = CAIRN_STATIC;
+            def.sensor = true;
+            cairn_body_id sensor = make(&def), shot = put_moving(i & 1 ? &dart : &bullet, CAIRN_F(-3) - CAIRN_F(0.08) * i, 0, CAIRN_F(100), 0);
+            for (int k = 0; k < 6; k++) {
+                run(1);
+                bool touches = contact_of(sensor, shot, &contact) && contact.touching;
+                seen += touches;
+                began += touches && contact.began;
+            }
+            TEST_ASSERT_EQUAL_INT(past ? 0 : 1, began);
+            TEST_ASSERT_TRUE(past ? seen == 0 : seen >= 1);
+            ASSERT_NEAR(4 * LSB, 100, vx_of(shot));
+        }
+    }
+}
+
 /* Where nothing but plain walls is hit, contacts of the step's start do as well: a world may be made without the stage. */
 void test_a_world_without_the_continuous_stage_still_stops_bullets_at_a_wall(void)
 {
