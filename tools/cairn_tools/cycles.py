@@ -226,7 +226,8 @@ def classify(it: Instruction, before: Instruction | None = None) -> tuple[str, i
 def _other_class(name: str, first: str) -> str:
     if _BRANCH.match(name) or name in ("cbz", "cbnz"):
         return "branch"
-    exact = {"b": "jump", "bl": "call", "bx": "indirect", "blx": "indirect", "tbb": "jump by table", "tbh": "jump by table",
+    exact = {"b": "jump", "bl": "call", "bx": "indirect", "blx": "indirect",
+             "tbb": "jump by table", "tbh": "jump by table",
              "mla": "multiply-add", "mls": "multiply-add", "sdiv": "divide", "udiv": "divide", "it": "it",
              "smull": "long multiply", "umull": "long multiply", "smlal": "long multiply-add",
              "umlal": "long multiply-add", "umaal": "long multiply-add",
