@@ -45,7 +45,7 @@ COMPILERS = {
     if (compiler, level) != ("gcc", "-O2")
 }
 EVERY_TIME = ("host", *COMPILERS, "m0", "m3", "m4f")
-ON_REQUEST = ("m7", "m33", "m55", *crossed.ARCHITECTURES)
+ON_REQUEST = ("m7", "m33", "m55", "rp2040", *crossed.ARCHITECTURES)
 TARGETS = (*EVERY_TIME, *ON_REQUEST)
 
 
