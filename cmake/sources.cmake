@@ -29,6 +29,7 @@ set(CAIRN_SOURCES
     src/solver_soft.c
     src/spring.c
     src/spring_map.c
+    src/spring_mesh.c
     src/spring_network.c
     src/spring_path.c
     src/spring_reach.c

@@ -128,6 +128,7 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     pool->end = 0;
     pool->changed = true;
     pool->entangled = false;
+    pool->mesh = NULL;
     world->springs = pool;
     return CAIRN_OK;
 }

@@ -4,8 +4,11 @@
  */
 #include "spring_solve.h"
 
-/* Springs of different paths at one body are not across one another if the cosine of their angle is beyond this. */
-#define ALONG CAIRN_UNIT(0.3)
+/*
+ * What one path leaves of another's error is, in units of the spring's own pull, about (b + d) cos^2, cos being the angle
+ * between them. Beyond this it counts.
+ */
+#define COUNTS CAIRN_SHARE(0.02)
 
 static uint16_t root_of(const cairn_spring_pool *pool, uint16_t i)
 {
@@ -17,11 +20,6 @@ static uint16_t root_of(const cairn_spring_pool *pool, uint16_t i)
 
 static bool moves(const cairn_world *world, uint16_t body) { return cairn_body_is_dynamic(&world->bodies[body]); }
 
-static bool are_linked(const cairn_world *world, const cairn_spring *s, const cairn_spring *t)
-{
-    return ((s->a == t->a || s->a == t->b) && moves(world, s->a)) || ((s->b == t->a || s->b == t->b) && moves(world, s->b));
-}
-
 /* Is t behind or before s on its path? */
 static bool are_neighbours(const cairn_spring_pool *pool, uint16_t s, uint16_t t)
 {
@@ -32,12 +30,6 @@ static cairn_unit alignment(const cairn_spring *s, const cairn_spring *t)
 {
     cairn_unit c = cairn_spring_cosine(s, t);
     return c < 0 ? -c : c;
-}
-
-static void entangle(cairn_spring_pool *pool, uint16_t i)
-{
-    pool->springs[root_of(pool, i)].flags |= CAIRN_SPRING_ENTANGLED;
-    pool->entangled = true;
 }
 
 static void link(cairn_world *world, uint16_t i, uint16_t j)
@@ -58,6 +50,20 @@ static void link(cairn_world *world, uint16_t i, uint16_t j)
     }
 }
 
+static void link_to_earlier(cairn_world *world, uint16_t i)
+{
+    const cairn_spring_pool *pool = world->springs;
+    uint16_t a = pool->springs[i].a, b = pool->springs[i].b;
+    bool a_moves = moves(world, a), b_moves = moves(world, b);
+    for (uint16_t j = 0; j < i; j++) {
+        const cairn_spring *t = &pool->springs[j];
+        bool at_a = t->a == a || t->b == a, at_b = t->a == b || t->b == b;
+        if (((at_a && a_moves) || (at_b && b_moves)) && cairn_spring_is_used(t)) {
+            link(world, i, j);
+        }
+    }
+}
+
 void cairn_spring_networks(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
@@ -65,30 +71,39 @@ void cairn_spring_networks(cairn_world *world)
     for (uint16_t i = 0; i < pool->end; i++) {
         pool->springs[i].network = i;
         pool->springs[i].across = CAIRN_NONE;
-        pool->springs[i].flags &= (uint16_t)~CAIRN_SPRING_ENTANGLED;
+        pool->springs[i].flags &= (uint16_t)~(CAIRN_SPRING_ENTANGLED | CAIRN_SPRING_MESHED);
     }
     for (uint16_t i = 0; i < pool->end; i++) {
-        for (uint16_t j = 0; j < i && cairn_spring_is_used(&pool->springs[i]); j++) {
-            if (cairn_spring_is_used(&pool->springs[j]) && are_linked(world, &pool->springs[i], &pool->springs[j])) {
-                link(world, i, j);
-            }
+        if (cairn_spring_is_used(&pool->springs[i])) {
+            link_to_earlier(world, i);
         }
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         pool->springs[i].network = root_of(pool, i);
     }
-    cairn_spring_entangle(world);
+}
+
+static bool counts(const cairn_spring *s, const cairn_spring *t)
+{
+    cairn_unit along = alignment(s, t);
+    return cairn_share_mul(cairn_share_mul(along, along), CAIRN_SHARE(1) - s->yield) > cairn_share_mul(s->yield, COUNTS);
 }
 
 /* A network that was a web when it was made may become entangled as it folds; it stays so until its springs change. */
-void cairn_spring_entangle(cairn_world *world)
+bool cairn_spring_entangle(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
+    bool more = false;
     for (uint16_t i = 0; i < pool->end; i++) {
         const cairn_spring *spring = &pool->springs[i];
-        if (cairn_spring_is_used(spring) && spring->across != CAIRN_NONE
-            && alignment(spring, &pool->springs[spring->across]) > ALONG) {
-            entangle(pool, i);
+        if (!cairn_spring_is_used(spring) || spring->across == CAIRN_NONE) {
+            continue;
+        }
+        cairn_spring *first = &pool->springs[spring->network];
+        if (!(first->flags & CAIRN_SPRING_ENTANGLED) && counts(spring, &pool->springs[spring->across])) {
+            first->flags |= CAIRN_SPRING_ENTANGLED;
+            more = pool->entangled = true;
         }
     }
+    return more;
 }

@@ -189,7 +189,7 @@ static cairn_unit ask(cairn_world *world, uint16_t head, bool again)
         cairn_spring *spring = &pool->springs[i];
         const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
         cairn_reach r;
-        cairn_unit turned = cairn_spring_aim(spring, a, b, &r);
+        cairn_unit turned = cairn_spring_aim(spring, a, b, &r, false);
         most = turned > most ? turned : most;
         cairn_motion demand = cairn_motion_from_offset_wide(r.length - spring->rest_length, spring->position_gain);
         if (spring->velocity_gain != 0) {

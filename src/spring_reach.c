@@ -86,7 +86,20 @@ void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_b
 /* A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64. */
 enum { TAUT = 64 };
 
-static cairn_unit size_of(cairn_unit x) { return x < 0 ? -x : x; }
+/* The greater size of the two, each between -1 and 1, but at most a quarter. */
+static cairn_unit greater(cairn_unit a, cairn_unit b)
+{
+    a = a < 0 ? -a : a;
+    b = b < 0 ? -b : b;
+    a = a > b ? a : b;
+    return a < CAIRN_UNIT(0.25) ? a : CAIRN_UNIT(0.25);
+}
+
+/* How much of the way from one direction to another, on one axis, halved: the whole may be 2. */
+static cairn_unit half_way(cairn_dir from, cairn_unit to) { return cairn_share_shift(cairn_unit_from_dir(from), 1) - cairn_share_shift(to, 1); }
+
+/* A change of a lever, over 4. */
+static cairn_unit quarter_of(cairn_lever from, cairn_lever to) { return cairn_motion_lever(CAIRN_UNIT(0.125), to) * 2 - cairn_motion_lever(CAIRN_UNIT(0.125), from) * 2; }
 
 static bool is_taut(const cairn_spring *spring, cairn_offset length)
 {
@@ -99,19 +112,26 @@ static bool is_taut(const cairn_spring *spring, cairn_offset length)
  * Where a spring ends the sub-step and which way it pushes. Along the foreseen direction a spring that turns fast, or
  * that a strong pull swings fast, gains no energy; but it takes away of any swing, (turn in a sub-step)^2 each time. So
  * the others push along a direction only a quarter of the way from that at the start to the one foreseen.
- * How far it turns, on one axis.
+ * How far it turns, levers included, at most a half.
  */
-cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
+cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r, bool ahead)
 {
     foresee(spring, a, b, r);
-    cairn_unit dx = cairn_unit_from_dir(spring->heading_x) - r->x, dy = cairn_unit_from_dir(spring->heading_y) - r->y;
-    cairn_unit turned = size_of(dx) > size_of(dy) ? size_of(dx) : size_of(dy);
+    cairn_unit turned = 2 * greater(half_way(spring->heading_x, r->x), half_way(spring->heading_y, r->y));
+    cairn_unit from_x = cairn_unit_from_dir(spring->heading_x), from_y = cairn_unit_from_dir(spring->heading_y);
     spring->heading_x = cairn_dir_from_unit(r->x);
     spring->heading_y = cairn_dir_from_unit(r->y);
-    if (turned < FAST && !is_taut(spring, r->length)) {
+    if (!ahead && turned < FAST && !is_taut(spring, r->length)) {
+        cairn_unit dx = from_x - r->x, dy = from_y - r->y;
         r->x += cairn_share_shift(dx, 1) + cairn_share_shift(dx, 2);
         r->y += cairn_share_shift(dy, 1) + cairn_share_shift(dy, 2);
     }
+    cairn_lever lever_a = spring->lever_a, lever_b = spring->lever_b;
     cairn_spring_point(spring, a, b, r);
+    if (cairn_spring_is_off_centre(spring)) {
+        cairn_unit swung = greater(quarter_of(lever_a, spring->lever_a), quarter_of(lever_b, spring->lever_b));
+        swung = 4 * (swung < CAIRN_UNIT(0.125) ? swung : CAIRN_UNIT(0.125));
+        turned = turned > swung ? turned : swung;
+    }
     return turned;
 }

@@ -5,6 +5,7 @@
  * The impulses are kept out of the warm start (they go into u as well as v): an unconverged network must not be repeated.
  */
 #include "spring_solve.h"
+#include <cairn/spring_mesh.h>
 
 /* ---- the step ---- */
 
@@ -29,6 +30,12 @@ static void count_ends(cairn_world *world)
     }
 }
 
+/* Is a spring the first of a path that is solved by itself? */
+static bool leads(const cairn_spring_pool *pool, const cairn_spring *spring)
+{
+    return (spring->flags & CAIRN_SPRING_HEAD) && !(pool->springs[spring->network].flags & CAIRN_SPRING_MESHED);
+}
+
 static bool is_active(const cairn_world *world, const cairn_spring *spring)
 {
     return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
@@ -50,12 +57,15 @@ void cairn_springs_prepare(cairn_world *world)
             cairn_spring_map(world, spring);
         }
     }
-    if ((world->stats.steps & 7u) == 0) {
-        cairn_spring_entangle(world);
+    if (changed || (world->stats.steps & 7u) == 0) {
+        bool more = cairn_spring_entangle(world);
+        if (pool->mesh != NULL && (changed || more)) {
+            pool->mesh->kind->make(world);
+        }
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         const cairn_spring *spring = &pool->springs[i];
-        if ((spring->flags & CAIRN_SPRING_HEAD) && (changed || ((spring->flags & CAIRN_SPRING_LEVERS) && is_active(world, spring)))) {
+        if (leads(pool, spring) && (changed || ((spring->flags & CAIRN_SPRING_LEVERS) && is_active(world, spring)))) {
             cairn_path_factorise(world, i);
         }
     }
@@ -111,10 +121,12 @@ static void solve_exactly(cairn_world *world, cairn_spring *spring)
 void cairn_springs_substep(cairn_world *world, int substep)
 {
     cairn_spring_pool *pool = world->springs;
-    (void)substep;
+    if (pool->mesh != NULL) {
+        pool->mesh->kind->solve(world, substep);
+    }
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
-        if (!(spring->flags & CAIRN_SPRING_HEAD) || !is_active(world, spring)) {
+        if (!leads(pool, spring) || !is_active(world, spring)) {
             continue;
         }
         if (spring->flags & CAIRN_SPRING_EXACT) {
@@ -125,7 +137,7 @@ void cairn_springs_substep(cairn_world *world, int substep)
     }
     for (uint16_t i = pool->end; pool->entangled && i > 0; i--) {
         const cairn_spring *spring = &pool->springs[i - 1];
-        if ((spring->flags & CAIRN_SPRING_HEAD) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && is_active(world, spring)) {
+        if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && is_active(world, spring)) {
             cairn_path_solve(world, (uint16_t)(i - 1), true);
         }
     }

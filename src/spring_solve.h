@@ -18,7 +18,8 @@ enum {
     CAIRN_SPRING_IN_PATH = 32,
     CAIRN_SPRING_BACKWARDS = 64, /* the path goes from its b to its a */
     CAIRN_SPRING_ENTANGLED = 128, /* of a network's first: its paths pull along one another */
-    CAIRN_SPRING_LEVERS = 256     /* of a path's first: some anchors are off their centres */
+    CAIRN_SPRING_LEVERS = 256,    /* of a path's first: some anchors are off their centres */
+    CAIRN_SPRING_MESHED = 512     /* of a network's first: solved as a whole */
 };
 
 static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
@@ -47,8 +48,8 @@ cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_
 /* Keep direction and levers for the sweeps. */
 void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *reach);
 
-/* Direction and levers for this sub-step; reach gets the end of it. */
-cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *reach);
+/* Direction and levers for this sub-step; reach gets the end of it. Ahead: along the direction foreseen in any case. */
+cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *reach, bool ahead);
 
 /* ---- spring_map.c ---- */
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring);
@@ -71,8 +72,14 @@ void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_m
 /* ---- spring_network.c ---- */
 /* Which springs belong together. After the paths. */
 void cairn_spring_networks(cairn_world *world);
-/* Which networks have become entangled. */
-void cairn_spring_entangle(cairn_world *world);
+/* Which networks have become entangled; true if one did. */
+bool cairn_spring_entangle(cairn_world *world);
+
+/* ---- spring_mesh.c, through the class so that worlds without meshes do not link it ---- */
+typedef struct cairn_mesh_class {
+    void (*make)(cairn_world *world); /* of the entangled networks */
+    void (*solve)(cairn_world *world, int substep);
+} cairn_mesh_class;
 
 /* ---- spring_solve.c ---- */
 void cairn_springs_prepare(cairn_world *world);

@@ -173,6 +173,15 @@ static inline cairn_wide cairn_wide_from_share(cairn_share x) { return x; }
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return ldexp(x, -n); }
 static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return a * b; }
 
+typedef double cairn_sum;
+static inline cairn_sum cairn_sum_of(cairn_share a) { return a; }
+static inline cairn_sum cairn_sum_less(cairn_sum sum, cairn_share a, cairn_share b) { return sum - a * b; }
+static inline cairn_share cairn_sum_share(cairn_sum sum) { return sum; }
+static inline int cairn_motion_headroom(cairn_motion most) { (void)most; return 0; }
+#define CAIRN_MOTION_LIFTED 1e9
+static inline cairn_motion cairn_motion_lift(cairn_motion x, int n) { (void)n; return x; }
+static inline cairn_motion cairn_motion_lower(cairn_motion x, cairn_wide k, int n) { (void)n; return x * k; }
+
 typedef struct cairn_diffused {
     cairn_motion whole;
 } cairn_diffused;

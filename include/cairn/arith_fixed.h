@@ -348,6 +348,21 @@ static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wid
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return n > 0 ? (x + (1 << (n - 1))) >> n : x; }
 static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return cairn_mul32(a, b, 30); }
 
+/* ---- sums of products of shares, of which one is at most 1 and the others' squares sum up to about 1: Q4.60 ---- */
+
+typedef int64_t cairn_sum;
+static inline cairn_sum cairn_sum_of(cairn_share a) { return (int64_t)a * ((int64_t)1 << 30); }
+static inline cairn_sum cairn_sum_less(cairn_sum sum, cairn_share a, cairn_share b) { return sum - (int64_t)a * b; }
+static inline cairn_share cairn_sum_share(cairn_sum sum) { return cairn_clamp64((sum + ((int64_t)1 << 29)) >> 30); }
+
+/* How many bits a motion of this size may be lifted (or, negative, has to be lowered) to have 22 of them. */
+static inline int cairn_motion_headroom(cairn_motion most) { return most == 0 ? 0 : cairn_clz((uint32_t)most) - 10; }
+#define CAIRN_MOTION_LIFTED (1 << 28)
+/* x * 2^n */
+static inline cairn_motion cairn_motion_lift(cairn_motion x, int n) { return n >= 0 ? (cairn_motion)((uint32_t)x << n) : x >> -n; }
+/* x * k / 2^n */
+static inline cairn_motion cairn_motion_lower(cairn_motion x, cairn_wide k, int n) { return cairn_wide_scale(x, k, -n); }
+
 /* A constant change per sub-step that is smaller than its last bit can say: the rest is carried from call to call. */
 typedef struct cairn_diffused {
     cairn_motion whole;

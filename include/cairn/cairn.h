@@ -13,6 +13,7 @@
 #include "sleep.h"
 #include "solver.h"
 #include "spring.h"
+#include "spring_mesh.h"
 #include "status.h"
 #include "world.h"
 

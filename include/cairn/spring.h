@@ -60,6 +60,7 @@ typedef struct cairn_spring_pool {
     uint16_t capacity, end;
     bool changed;   /* the springs' maps have to be made anew */
     bool entangled; /* a network is, see spring_network.c */
+    struct cairn_mesh *mesh; /* null unless enabled, see spring_mesh.h */
 } cairn_spring_pool;
 
 typedef struct cairn_spring_storage {

@@ -57,6 +57,7 @@ _CALLS: dict[str, tuple[Any, list[Any]]] = {
     "body_mass": (_REAL, [_LONG]),
     "body_inertia": (_REAL, [_LONG]),
     "spring": (_LONG, [_LONG, _LONG, *[_REAL] * 7, _INT]),
+    "use_meshes": (_INT, []),
     "spring_destroy": (_INT, [_LONG]),
     "step": (_INT, [_INT]),
     "record": (_INT, [_INT, _INT, _PLACE, _INT, _PLACE]),
@@ -110,6 +111,7 @@ class World:
         arbiters: int = 4000,
         springs: int = 0,
         cells: int = 0,
+        meshes: bool = True,
     ) -> None:
         self.arithmetic = arithmetic
         self.gravity = gravity
@@ -118,6 +120,8 @@ class World:
         self._world = self._library.shim_create(bodies, arbiters, springs, cells, *gravity)
         if not self._world:
             raise EngineError("a world of these sizes and this gravity is refused")
+        if springs and meshes:
+            self._checked("use_meshes")
         self.shapes: dict[int, Shape] = {}  # by body
         self.types: dict[int, int] = {}
         self._made: dict[tuple[Any, ...], Shape] = {}
@@ -305,7 +309,8 @@ def _outlined(points: list[Point]) -> Callable[[int], Shape]:
 
 def build(scene: Scene, arithmetic: str = "q16") -> tuple[World, list[int]]:
     """A scene file's world, with its own settings but without sleep, and its bodies in the file's order."""
-    world = World(arithmetic, scene.gravity, max(1, len(scene.bodies)), springs=len(scene.springs))
+    springs = len(scene.springs)
+    world = World(arithmetic, scene.gravity, max(1, len(scene.bodies)), springs=springs, meshes=False)
     world.set_rate(scene.steps_per_second)
     world.set_substeps(scene.substeps)
     if scene.solver == "slides":

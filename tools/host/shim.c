@@ -26,6 +26,7 @@ typedef struct list {
 struct shim_world {
     cairn_world_storage storage;
     cairn_spring_storage springs;
+    cairn_mesh_storage meshes;
     cairn_quadtree_storage tree;
     cairn_world *world;
     list shapes, materials;
@@ -130,12 +131,13 @@ static bool has_memory(const shim_world *w)
 {
     return w->storage.world != NULL && w->storage.bodies != NULL && w->storage.arbiters != NULL && w->storage.order != NULL
         && w->springs.pool != NULL && w->springs.springs != NULL && w->tree.tree != NULL && w->tree.cells != NULL
-        && w->tree.entries != NULL;
+        && w->tree.entries != NULL && w->meshes.mesh != NULL && w->meshes.parts != NULL && w->meshes.nodes != NULL
+        && w->meshes.rows != NULL && w->meshes.links != NULL && w->meshes.entries != NULL;
 }
 
 shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double gravity_x, double gravity_y)
 {
-    enum { MOST = 65000 };
+    enum { MOST = 65000, MESH_ENTRIES = 64 }; /* a spring */
     if (bodies < 1 || bodies > MOST || arbiters < 1 || arbiters > MOST || springs < 0 || springs > MOST || cells < 0 || cells > MOST) {
         return NULL;
     }
@@ -158,6 +160,15 @@ shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double
     w->tree.entries = calloc((size_t)entries + 1, sizeof(cairn_quadtree_entry));
     w->tree.cell_capacity = (uint16_t)cells;
     w->tree.entry_capacity = (uint16_t)entries;
+    w->meshes.mesh = calloc(1, sizeof(cairn_mesh));
+    w->meshes.parts = calloc((size_t)springs + 1, sizeof(cairn_mesh_part));
+    w->meshes.nodes = calloc((size_t)springs + 1, sizeof(cairn_mesh_node));
+    w->meshes.rows = calloc((size_t)springs + 1, 3 * sizeof(cairn_mesh_row));
+    w->meshes.links = calloc((size_t)springs + 1, sizeof(cairn_mesh_link));
+    w->meshes.entries = calloc((size_t)springs + 1, MESH_ENTRIES * sizeof(cairn_share));
+    w->meshes.bodies = (uint16_t)(springs < 20000 ? springs : 20000);
+    w->meshes.springs = (uint16_t)springs;
+    w->meshes.entry_count = (uint32_t)springs * MESH_ENTRIES;
     w->world = has_memory(w) ? cairn_world_init(&w->storage, pair_of(gravity_x, gravity_y)) : NULL;
     if (w->world == NULL || (springs > 0 && cairn_springs_enable(w->world, &w->springs) != CAIRN_OK)) {
         shim_destroy(w);
@@ -177,6 +188,12 @@ void shim_destroy(shim_world *w)
     free(w->storage.order);
     free(w->springs.pool);
     free(w->springs.springs);
+    free(w->meshes.mesh);
+    free(w->meshes.parts);
+    free(w->meshes.nodes);
+    free(w->meshes.rows);
+    free(w->meshes.links);
+    free(w->meshes.entries);
     free(w->tree.tree);
     free(w->tree.cells);
     free(w->tree.entries);
@@ -344,6 +361,8 @@ int64_t shim_spring(shim_world *w, int64_t a, int64_t b, double ax, double ay, d
     const cairn_spring_id id = cairn_spring_create(w->world, &def);
     return cairn_spring_id_is_null(id) ? cairn_world_error(w->world) : (int64_t)id.generation << 16 | id.index;
 }
+
+int shim_use_meshes(shim_world *w) { return cairn_meshes_enable(w->world, &w->meshes); }
 
 int shim_spring_destroy(shim_world *w, int64_t spring) { return cairn_spring_destroy(w->world, spring_of(spring)); }
 

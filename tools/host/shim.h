@@ -60,6 +60,8 @@ SHIM double shim_body_inertia(shim_world *w, int64_t body);
 /* Anchors in the bodies' frames; a negative rest length means as placed. */
 SHIM int64_t shim_spring(shim_world *w, int64_t a, int64_t b, double ax, double ay, double bx, double by, double rest_length,
                          double stiffness, double damping, int no_contact);
+/* Solve entangled networks as a whole. */
+SHIM int shim_use_meshes(shim_world *w);
 SHIM int shim_spring_destroy(shim_world *w, int64_t spring);
 
 /* Advance. shim_record also writes the states of some bodies: before the first step and after each `every`th. */

@@ -140,6 +140,12 @@ _BOTH = (
     "rope-1e7",
     "rope-1e8",
     "square-100",
+    "square-1000",
+    "square-10000",
+    "square-100000",
+    "square-1e6",
+    "square-1e7",
+    "square-1e8",
 )
 
 # One of the two arithmetics alone.

@@ -133,7 +133,7 @@ class Network:
         start = self.world.states(self.bodies)
         self.rest = self._lengths(start[None])[0]
         for (a, b), rest in zip(links, self.rest, strict=True):
-            self.world.spring(self.bodies[a], self.bodies[b], k, 2 * zeta * math.sqrt(k), rest_length=rest)
+            self.world.spring(self.bodies[a], self.bodies[b], k, 2 * zeta * math.sqrt(k))
         self.free = np.array([i for i in range(len(places)) if i not in held])
 
     def _lengths(self, states: np.ndarray) -> np.ndarray:
