@@ -48,6 +48,9 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
     }
     arbiter->share_a = cairn_wide_to_share(cairn_wide_div(b->mass, cairn_wide_add(a->mass, b->mass)));
     arbiter->share_b = CAIRN_SHARE(1) - arbiter->share_a;
+    if (arbiter->share_a < CAIRN_UNEVEN_SHARE || arbiter->share_b < CAIRN_UNEVEN_SHARE) {
+        arbiter->block = CAIRN_BLOCK_UNEVEN;
+    }
 }
 
 static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uint16_t b)
@@ -192,6 +195,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
     if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps) {
         arbiter->flags |= CAIRN_ARBITER_SOLVED;
+        world->uneven |= arbiter->block & CAIRN_BLOCK_UNEVEN;
     }
 }
 

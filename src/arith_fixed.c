@@ -478,4 +478,61 @@ cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
     return x < 0 ? -quotient : quotient;
 }
 
+/* ---- cairn_push ---- */
+
+/* high * 2^32 + low is x: both products fit in 64 bits. */
+int64_t cairn_mul64(int64_t x, int32_t f, int shift)
+{
+    int64_t high = (x >> 32) * f, low = (int64_t)((uint64_t)x & 0xFFFFFFFFu) * f;
+    low += (int64_t)1 << (shift - 1);
+    return (int64_t)((uint64_t)high << (32 - shift)) + (low >> shift);
+}
+
+cairn_push cairn_push_dir(cairn_push x, cairn_dir d)
+{
+    return cairn_push_is_short(x) ? cairn_mul16((int32_t)x, d, 14) : cairn_mul64(x, d, 14);
+}
+
+cairn_push cairn_push_lever(cairn_push x, cairn_lever j)
+{
+    return cairn_push_is_short(x) ? cairn_mul16((int32_t)x, j, 13) : cairn_mul64(x, j, 13);
+}
+
+cairn_push cairn_push_unit(cairn_push x, cairn_unit u)
+{
+    return cairn_push_is_short(x) ? cairn_mul32((int32_t)x, u, 30) : cairn_mul64(x, u, 30);
+}
+
+cairn_push cairn_push_scale(cairn_push x, cairn_wide k)
+{
+    if (x == 0 || k.mantissa == 0) { return 0; }
+    if (cairn_push_is_short(x) && k.exponent <= -32) { return cairn_wide_scale((int32_t)x, k, 0); }
+    uint64_t size = x < 0 ? 0u - (uint64_t)x : (uint64_t)x;
+    uint64_t low = cairn_product((uint32_t)size, k.mantissa);
+    uint64_t top = cairn_product(high_word(size), k.mantissa) + high_word(low); /* with the lower half of low: 96 bits */
+    int shift = -k.exponent;
+    if (shift >= 96) { return 0; }
+    if (shift >= 32) {
+        size = shift == 32 ? top + ((uint32_t)low >> 31) : shift - 32 < 64 ? ((top >> (shift - 33)) + 1) >> 1 : 0;
+        size = size > (uint64_t)CAIRN_PUSH_MAX ? (uint64_t)CAIRN_PUSH_MAX : size;
+    } else if (shift <= 0 || top >> (15 + shift) != 0) {
+        size = (uint64_t)CAIRN_PUSH_MAX;
+    } else {
+        size = (top << (32 - shift)) + ((((uint32_t)low >> (shift - 1)) + 1) >> 1);
+    }
+    return x < 0 ? -(int64_t)size : (int64_t)size;
+}
+
+cairn_push cairn_push_shift(cairn_push x, int n)
+{
+    if (n < 0) { return ((x >> (-n - 1)) + 1) >> 1; }
+    return cairn_push_clamp(x, CAIRN_PUSH_MAX >> n) * ((cairn_push)1 << n);
+}
+
+int cairn_push_excess(cairn_push x)
+{
+    int used = 64 - clz64((uint64_t)(x < 0 ? -x : x));
+    return used > 29 ? used - 29 : 0;
+}
+
 #endif

@@ -2,13 +2,13 @@
 #include "engine.h"
 
 /* N s of an accumulated impulse: impulse / (h (1/mA + 1/mB)). */
-static cairn_real newton_seconds(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_motion impulse)
+static cairn_real newton_seconds(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_motion impulse, int exponent)
 {
     cairn_wide reduced = b->mass; /* the second body of a pair is dynamic */
     if (!cairn_wide_is_zero(a->mass)) {
         reduced = cairn_wide_div(cairn_wide_mul(a->mass, b->mass), cairn_wide_add(a->mass, b->mass));
     }
-    return cairn_real_from_motion(impulse, cairn_wide_mul(reduced, world->inverse_substep));
+    return cairn_real_from_motion(impulse, cairn_wide_mul(cairn_wide_mul(reduced, cairn_wide_of(1, exponent)), world->inverse_substep));
 }
 
 /* The accumulated impulse of the point with this feature. */
@@ -39,7 +39,7 @@ static void describe(const cairn_world *world, const cairn_arbiter *arbiter, cai
         const cairn_manifold_point *from = &manifold.points[i];
         contact->points[i].position = cairn_vec2_of(a->x + cairn_real_from_offset(from->x), a->y + cairn_real_from_offset(from->y));
         contact->points[i].separation = cairn_real_from_offset(from->separation);
-        contact->points[i].impulse = newton_seconds(world, a, b, impulse_of(arbiter, from->feature));
+        contact->points[i].impulse = newton_seconds(world, a, b, impulse_of(arbiter, from->feature), arbiter->exponent);
     }
 }
 

@@ -1,7 +1,7 @@
 /*
  * What the engine's own files share, in the order of the step:
  * world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> arbiter.c (refresh) -> collide_*.c (manifold)
- * -> rows.c (prepare) -> solver_soft.c or solver_slides.c, with bounce.c and spring.c -> body.c (move) -> sleep.c.
+ * -> rows.c (prepare) -> solver_soft.c or solver_slides.c, with bounce.c, spring.c and block.c -> body.c (move) -> sleep.c.
  */
 #ifndef CAIRN_ENGINE_H
 #define CAIRN_ENGINE_H
@@ -30,7 +30,7 @@ enum {
     CAIRN_BODY_HELD = 1 << 8,     /* a contact or spring acted on it in this step */
     CAIRN_BODY_SPRING = 1 << 10,  /* an end of a spring */
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
-    CAIRN_BODY_RESTLESS = 1 << 12, /* heads a group that may not fall asleep yet */
+    CAIRN_BODY_RESTLESS = 1 << 12, /* is in a block of which something moves; in sleep.c, heads a group that may not fall asleep yet */
     CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
     CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
     CAIRN_BODY_FAST = 1 << 15,    /* moves by more than a quarter of its size in this step */
@@ -51,6 +51,14 @@ enum {
     CAIRN_ARBITER_ON_STATIC = 1 << 7, /* a is static, and b free to move: the quick path */
     CAIRN_ARBITER_PIVOT = 1 << 5     /* a body of fixed position takes part: its linear share is not its angular one */
 };
+
+/* arbiter.block: the number of its block, 0 if it is in none, and: */
+enum {
+    CAIRN_BLOCK_NUMBER = 127,
+    CAIRN_BLOCK_UNEVEN = 128 /* one of the bodies has more than CAIRN_UNEVEN times the other one's mass */
+};
+#define CAIRN_UNEVEN 30
+#define CAIRN_UNEVEN_SHARE CAIRN_SHARE(1.0 / 31) /* the heavy one's share then */
 
 /* The flag if it is to be set. */
 static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
@@ -85,6 +93,8 @@ void cairn_body_wake_up(cairn_world *world, cairn_body *body);
 void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body);
 /* How far the body's surface can move in this step, and the reach. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
+/* So slow, and moved so little in this step, that the formats cannot tell it from rest. */
+bool cairn_body_is_still(const cairn_world *world, const cairn_body *body);
 /* A velocity into the limits; counts what was cut. */
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
 
@@ -187,6 +197,21 @@ bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
 /* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
+
+/* How far two points have come apart in this step along a direction, with the levers that belong to it. */
+static inline cairn_motion cairn_displacement_along(const cairn_body *a, const cairn_body *b, cairn_dir x, cairn_dir y, cairn_lever ja, cairn_lever jb)
+{
+    cairn_offset dx = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx);
+    cairn_offset dy = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy);
+    return cairn_motion_from_offset(cairn_motion_along(dx, dy, x, y) + cairn_motion_lever(cairn_offset_from_motion(b->dw), jb)
+                                    - cairn_motion_lever(cairn_offset_from_motion(a->dw), ja));
+}
+
+/* The same for the points of a row. */
+static inline cairn_motion cairn_row_displacement(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row)
+{
+    return cairn_displacement_along(a, b, arbiter->normal_x, arbiter->normal_y, row->lever_a, row->lever_b);
+}
 
 /* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
 #define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */

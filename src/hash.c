@@ -31,7 +31,7 @@ static uint32_t mix_arbiter(uint32_t hash, const cairn_arbiter *arbiter)
     hash = mix(hash, (uint32_t)arbiter->friction_impulse);
     for (int i = 0; i < arbiter->count; i++) {
         hash = mix(hash, (uint32_t)arbiter->rows[i].impulse);
-        hash = mix(hash, arbiter->rows[i].feature);
+        hash = mix(hash, (uint32_t)arbiter->exponent << 16 | arbiter->rows[i].feature);
     }
     return hash;
 }

@@ -131,6 +131,14 @@ static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_moti
     return magnitude(x) <= limit && magnitude(y) <= limit && magnitude(w) <= limit;
 }
 
+static inline bool is_still(const cairn_world *world, const cairn_body *body)
+{
+    return is_within(body->vx, body->vy, body->w, DEAD_SPEED)
+        && is_within(body->dx, body->dy, body->dw, 2 * DEAD_SPEED * world->substeps);
+}
+
+bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { return is_still(world, body); }
+
 static void calm(const cairn_world *world, cairn_body *body)
 {
     if ((body->flags & (CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING)) == CAIRN_BODY_STEADY
@@ -139,8 +147,7 @@ static void calm(const cairn_world *world, cairn_body *body)
         body->vy -= cairn_motion_ratio(body->vy, world->rest_damping);
         body->w -= cairn_motion_ratio(body->w, world->rest_damping);
     }
-    if (is_within(body->vx, body->vy, body->w, DEAD_SPEED)
-        && is_within(body->dx, body->dy, body->dw, 2 * DEAD_SPEED * world->substeps)) {
+    if (!(body->flags & CAIRN_BODY_RESTLESS) && is_still(world, body)) {
         body->vx = body->vy = body->w = 0;
         body->dx = body->dy = body->dw = 0;
     }
@@ -205,7 +212,7 @@ void cairn_bodies_finish(cairn_world *world)
         if (!is_within(body->vx, body->vy, body->w, world->speed_limit)) { /* the sweeps' own limit is a wider one */
             cairn_body_limit_speed(world, body);
         }
-        body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING);
+        body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING | CAIRN_BODY_RESTLESS);
         move_coordinate(world, &body->x, &body->x_residue, &body->vx, body->dx);
         move_coordinate(world, &body->y, &body->y_residue, &body->vy, body->dy);
         if (body->dw != 0) {

@@ -132,6 +132,9 @@ cairn_status cairn_world_use_slides_solver(cairn_world *world, int passes)
     if (passes < 1 || passes > 100) {
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
+    if (world->block != NULL) {
+        world->block->release(world); /* their impulses have exponents of their own */
+    }
     world->solver = &cairn_solver_slides;
     world->passes = (uint8_t)passes;
     cairn_world_set_slop(world, CAIRN_F(0.01));

@@ -23,20 +23,10 @@ static cairn_motion pressed_against(cairn_motion impulse, cairn_motion u, cairn_
     return pressed(cairn_motion_add(impulse, -cairn_motion_ratio(cairn_motion_clamp(u, CAIRN_MOTION(3.9)), mass)));
 }
 
-/* How far the points of a row have come apart in this step. */
-static cairn_motion row_displacement(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row)
-{
-    cairn_offset x = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx);
-    cairn_offset y = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy);
-    return cairn_motion_from_offset(cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y)
-                                    + cairn_motion_lever(cairn_offset_from_motion(b->dw), row->lever_b)
-                                    - cairn_motion_lever(cairn_offset_from_motion(a->dw), row->lever_a));
-}
-
 /* The new impulse of a point that was apart when the step began (u leans by beta d): it may close the gap and no more. */
 static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    cairn_motion moved = row_displacement(a, b, arbiter, row), separation = cairn_motion_add(row->gap, moved);
+    cairn_motion moved = cairn_row_displacement(a, b, arbiter, row), separation = cairn_motion_add(row->gap, moved);
     if (row->feature & CAIRN_ROW_IN_FLIGHT) {
         return 0;
     }
@@ -49,7 +39,7 @@ static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const
 
 static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
-    cairn_motion separation = cairn_motion_add(row->gap, row_displacement(a, b, arbiter, row));
+    cairn_motion separation = cairn_motion_add(row->gap, cairn_row_displacement(a, b, arbiter, row));
     if (row->feature & CAIRN_ROW_IN_FLIGHT) {
         return 0;
     }
@@ -276,7 +266,7 @@ static void for_each_solved(cairn_world *world, void (*pass)(const cairn_world *
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
+        if ((arbiter->flags & CAIRN_ARBITER_SOLVED) && !(arbiter->block & CAIRN_BLOCK_NUMBER)) {
             pass(world, arbiter);
         }
     }
@@ -318,6 +308,9 @@ static void solve(cairn_world *world)
     if (world->springs != NULL) {
         world->springs->kind->prepare(world);
     }
+    if (world->uneven && world->block != NULL) {
+        world->block->find(world);
+    }
     for (int k = 0; k < world->substeps; k++) {
         if (world->bounce != NULL) {
             world->bounce->impact(world, k);
@@ -326,6 +319,9 @@ static void solve(cairn_world *world)
         if (k == 0) {
             cairn_bodies_start(world, gx, gy);
             for_each_solved(world, warm_start);
+            if (world->blocks != 0) {
+                world->block->warm_start(world);
+            }
         } else {
             cairn_bodies_repeat(world, gx - last_gx, gy - last_gy);
         }
@@ -336,8 +332,14 @@ static void solve(cairn_world *world)
         }
         lean(world);
         for_each_solved(world, biased_pass);
+        if (world->blocks != 0) {
+            world->block->biased_pass(world);
+        }
         advance(world);
         for_each_solved(world, relax_pass);
+        if (world->blocks != 0) {
+            world->block->relax_pass(world);
+        }
     }
 }
 

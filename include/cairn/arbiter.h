@@ -26,11 +26,14 @@ typedef struct cairn_arbiter {
     uint8_t count; /* contact points: 0 to 2 */
     uint8_t flags;
     cairn_dir normal_x, normal_y;
+    uint8_t block;    /* see block.c: the number of its block, and whether the masses differ much */
+    uint8_t exponent; /* of all its impulses: times 2^exponent; 0 outside of blocks */
     cairn_share share_a, share_b; /* (1/m) / (1/mA + 1/mB): what each takes of a relative velocity change */
     cairn_row rows[2];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
     cairn_lever friction_lever_a, friction_lever_b;
     cairn_ratio friction_mass;
+    uint16_t block_mark; /* tells whether the block is the one of the step before */
     cairn_factor static_friction, kinetic_friction;
 } cairn_arbiter;
 

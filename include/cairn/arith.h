@@ -16,6 +16,7 @@
  * cairn_ratio   Q1.14 in 16 bits     effective masses and scales in [0, 2)
  * cairn_share   Q2.30                a body's share of a relative velocity change, in [0, 1]
  * cairn_grip    Q11.20               friction coefficients
+ * cairn_push    Q35.28 in 64 bits   impulses and velocities of a block, see block.h (+-524288 m)
  * cairn_wide    32-bit mantissa and exponent   positive magnitudes of any size: masses, inertias, stiffness; set-up only
  *
  * Values of one type may be added, subtracted, negated and compared with C's own operators where their range

@@ -19,6 +19,7 @@ typedef double cairn_ratio;
 typedef double cairn_share;
 typedef double cairn_factor;
 typedef double cairn_wide;
+typedef double cairn_push;
 typedef double cairn_area;
 typedef uint8_t cairn_residue; /* nothing lies below a double's last bit */
 
@@ -192,6 +193,39 @@ static inline cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
     return d;
 }
 static inline cairn_motion cairn_diffuse(cairn_diffused *d) { return d->whole; }
+
+#define CAIRN_PUSH_MAX 524288.0
+static inline cairn_push cairn_push_clamp(cairn_push x, cairn_push limit) { return cairn_clamp(x, limit); }
+static inline cairn_push cairn_push_from_motion(cairn_motion x) { return x; }
+static inline cairn_motion cairn_motion_from_push(cairn_push x) { return x; }
+static inline cairn_push cairn_push_half(cairn_push x) { return x / 2; }
+static inline cairn_push cairn_push_dir(cairn_push x, cairn_dir d) { return x * d; }
+static inline cairn_push cairn_push_lever(cairn_push x, cairn_lever j) { return x * j; }
+static inline cairn_push cairn_push_unit(cairn_push x, cairn_unit u) { return x * u; }
+static inline cairn_push cairn_push_factor(cairn_push x, cairn_factor f) { return x * f; }
+static inline cairn_push cairn_push_scale(cairn_push x, cairn_wide k) { return x * k; }
+static inline cairn_push cairn_push_shift(cairn_push x, int n) { return ldexp(x, n); }
+static inline int cairn_push_excess(cairn_push x)
+{
+    (void)x;
+    return 0;
+}
+
+static inline cairn_unit cairn_unit_coupling(cairn_dir x, cairn_dir y, cairn_lever j, cairn_dir x2, cairn_dir y2, cairn_lever j2,
+                                             cairn_wide k, int exponent)
+{
+    return ldexp((x * x2 + y * y2 + j * j2) * k, exponent);
+}
+static inline int cairn_unit_room(cairn_unit x)
+{
+    int exponent;
+    frexp(x, &exponent);
+    return exponent < 0 ? -exponent / 2 : 0;
+}
+static inline cairn_unit cairn_unit_grow(cairn_unit x, int n) { return ldexp(x, n); }
+static inline cairn_unit cairn_unit_mul(cairn_unit a, cairn_unit b) { return a * b; }
+static inline cairn_unit cairn_unit_scale(cairn_unit x, cairn_wide k, int exponent) { return ldexp(x * k, exponent); }
+static inline cairn_wide cairn_wide_from_unit(cairn_unit x) { return fabs(x); }
 
 static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }

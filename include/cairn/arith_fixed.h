@@ -22,6 +22,7 @@ typedef int16_t cairn_lever;
 typedef int16_t cairn_ratio;
 typedef int32_t cairn_share;
 typedef int32_t cairn_factor;
+typedef int64_t cairn_push;
 typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
 
@@ -376,6 +377,50 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d)
     d->carry += d->fraction;
     return d->whole + (d->carry < d->fraction ? 1 : 0);
 }
+
+/*
+ * ---- cairn_push: the blocks' impulses ----
+ * Whatever makes one saturates it to CAIRN_PUSH_MAX, 2^19 m, so that the sum of a block's rows, 2 in size at most
+ * after their levers and directions, stays far within 64 bits.
+ */
+
+#define CAIRN_PUSH_MAX ((cairn_push)1 << 47)
+
+/* x * f / 2^shift, 1 <= shift <= 31, rounded. The result must fit. */
+int64_t cairn_mul64(int64_t x, int32_t f, int shift);
+/* x < 2^28 (1 m), which most are: the short way, of the same bits, is open. */
+static inline bool cairn_push_is_short(cairn_push x) { return (uint64_t)(x + ((cairn_push)1 << 28)) < (uint64_t)1 << 29; }
+static inline cairn_push cairn_push_clamp(cairn_push x, cairn_push limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+static inline cairn_push cairn_push_from_motion(cairn_motion x) { return x; }
+static inline cairn_motion cairn_motion_from_push(cairn_push x) { return cairn_clamp64(x); }
+static inline cairn_push cairn_push_half(cairn_push x) { return x >> 1; }
+cairn_push cairn_push_dir(cairn_push x, cairn_dir d);
+cairn_push cairn_push_lever(cairn_push x, cairn_lever j);
+cairn_push cairn_push_unit(cairn_push x, cairn_unit u);
+static inline cairn_push cairn_push_factor(cairn_push x, cairn_factor f) { return cairn_push_clamp(cairn_mul64(x, f, 20), CAIRN_PUSH_MAX); }
+/* x * k */
+cairn_push cairn_push_scale(cairn_push x, cairn_wide k);
+/* x * 2^n, -30 <= n <= 30 */
+cairn_push cairn_push_shift(cairn_push x, int n);
+/* The least n, not negative, for which x / 2^n is below 2 m. */
+int cairn_push_excess(cairn_push x);
+
+/* ---- matrices of cairn_unit ---- */
+
+/* ((x, y) (x', y') + j j') * k * 2^exponent: what an impulse along one row changes in another one. */
+static inline cairn_unit cairn_unit_coupling(cairn_dir x, cairn_dir y, cairn_lever j, cairn_dir x2, cairn_dir y2, cairn_lever j2,
+                                             cairn_wide k, int exponent)
+{
+    int32_t along = (int32_t)x * x2 + (int32_t)y * y2; /* Q28, at most 1 and rounding */
+    return cairn_wide_scale((along >> 1) + (int32_t)j * j2 * 2, k, exponent + 3); /* Q27 */
+}
+/* The most that x > 0, below 1, can be multiplied by 4 and stay below 1. */
+static inline int cairn_unit_room(cairn_unit x) { return x < CAIRN_UNIT(0.25) ? (cairn_clz((uint32_t)x) - 2) >> 1 : 0; }
+/* x * 2^n; the result must fit */
+static inline cairn_unit cairn_unit_grow(cairn_unit x, int n) { return (cairn_unit)((uint32_t)x << n); }
+static inline cairn_unit cairn_unit_mul(cairn_unit a, cairn_unit b) { return cairn_mul32(a, b, 30); }
+static inline cairn_unit cairn_unit_scale(cairn_unit x, cairn_wide k, int exponent) { return cairn_wide_scale(x, k, exponent); }
+static inline cairn_wide cairn_wide_from_unit(cairn_unit x) { return cairn_wide_of(x, -30); }
 
 /* ---- coefficients ---- */
 

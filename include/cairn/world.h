@@ -40,6 +40,17 @@ typedef struct cairn_continuous_class {
 
 extern const cairn_continuous_class cairn_continuous;
 
+/* What solves heavy bodies on light ones: see block.c. */
+typedef struct cairn_block_class {
+    void (*find)(struct cairn_world *world); /* the blocks of this step */
+    void (*warm_start)(struct cairn_world *world);
+    void (*biased_pass)(struct cairn_world *world);
+    void (*relax_pass)(struct cairn_world *world);
+    void (*release)(struct cairn_world *world); /* there are none from now on */
+} cairn_block_class;
+
+extern const cairn_block_class cairn_blocks;
+
 /* What sleep adds to the step. */
 typedef struct cairn_sleep_class {
     bool (*wake)(struct cairn_world *world);   /* what touches something awake; true if anything woke */
@@ -73,6 +84,7 @@ typedef struct cairn_world {
     const cairn_bounce_class *bounce;
     const cairn_sleep_class *sleep;
     const cairn_continuous_class *continuous;
+    const cairn_block_class *block;
     struct cairn_spring_pool *springs;
     struct cairn_quadtree *tree;
 
@@ -81,9 +93,11 @@ typedef struct cairn_world {
     cairn_real slop, push_out;
     uint8_t substeps, passes;
     uint8_t locked;
+    uint8_t uneven; /* a contact of very different masses in this step, or a block in the one before */
     uint16_t fast; /* bodies in this step */
     bool held_back; /* a body is driven against another one that it touches */
     int8_t error;
+    uint8_t blocks; /* of this step: the highest number */
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */
@@ -120,15 +134,16 @@ extern const cairn_solver_class cairn_solver_soft;
 
 /*
  * Make an empty world with a solver of your choice, and with continuous collision (&cairn_continuous) or, where nothing
- * is fast, without (null). Null if storage or solver is null or a capacity is zero.
+ * is fast, without (null); likewise with blocks for heavy bodies on light ones (&cairn_blocks) or without. Null if storage
+ * or solver is null or a capacity is zero.
  */
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
-                                   const cairn_continuous_class *continuous);
+                                   const cairn_continuous_class *continuous, const cairn_block_class *block);
 
 /* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
 {
-    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous);
+    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous, &cairn_blocks);
 }
 
 /* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */

@@ -12,7 +12,7 @@ static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.25));
 int main(void)
 {
     cairn_port_init();
-    cairn_world *world = cairn_world_init(&yard, cairn_vec2_of(0, CAIRN_F(-10)));
+    cairn_world *world = cairn_world_init_with(&yard, cairn_vec2_of(0, CAIRN_F(-10)), &cairn_solver_soft, NULL, NULL);
     cairn_body_def def = cairn_body_def_default(&marble);
     def.position = cairn_vec2_of(0, CAIRN_F(10));
     const cairn_body_id body = cairn_body_create(world, &def);

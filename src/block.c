@@ -1,0 +1,545 @@
+/*
+ * Heavy bodies on light ones. Sweeping needs about as many passes as the mass ratio before the light body's supports know
+ * of the load, and a contact's softness is in proportion to the lighter mass: at 100 to 1 a box sinks in by a centimetre, from 1000 on it is
+ * squeezed out. So light bodies with all of their contacts are gathered into blocks, and a block is
+ * solved at once, with contacts as stiff as its heaviest body needs.
+ *
+ * A body is light if it touches one of more than CAIRN_UNEVEN times its mass. A block has the contacts of its light bodies;
+ * what touches those and is light beside the heaviest body of the block belongs to it too. A block with more rows than
+ * there is room for is left to the sweeps as a whole: half a block cannot carry the load on.
+ */
+#include "block.h"
+
+/* More than this and the shares of a change would not be known well enough. */
+#define RATIO_MAX 262144
+/* Beyond these numbers: no more blocks; and one that has too many rows. */
+#define LAST_NUMBER 126
+#define DISSOLVED 127
+
+/* Normal impulses decide friction's limits and friction them: so often in turns. */
+#define FRICTION_ROUNDS 8
+/* What a contact yields in a sub-step under its own impulse, 1 / a2 of the soft contacts; see engine.h. */
+#define YIELD cairn_wide_div(cairn_wide_from_int(5502), cairn_wide_from_int(100000))
+/* Friction's limits are as they should be within this, m per sub-step of the lightest body. */
+#define LIMIT_ERROR CAIRN_MOTION(1e-5)
+
+/* ---- finding blocks ---- */
+
+static uint8_t number_of(const cairn_arbiter *arbiter) { return arbiter->block & CAIRN_BLOCK_NUMBER; }
+
+static void set_number(cairn_arbiter *arbiter, uint8_t number) { arbiter->block = (uint8_t)((arbiter->block & CAIRN_BLOCK_UNEVEN) | number); }
+
+static bool is_solved(const cairn_arbiter *arbiter) { return (arbiter->flags & CAIRN_ARBITER_SOLVED) != 0; }
+
+/* Nothing is in a block yet. Light bodies have the block's number in `next`, which sleep uses only later in the step. */
+static void clear(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        if (world->bodies[i].flags & CAIRN_BODY_USED) {
+            world->bodies[i].next = CAIRN_NONE;
+        }
+    }
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        set_number(cairn_arbiter_at(world, place), 0);
+    }
+}
+
+/* What a block is found to have while it grows. */
+typedef struct growth {
+    uint8_t number;
+    bool changed;
+    cairn_wide heaviest, lightest;
+} growth;
+
+static bool outweighs(cairn_wide heavy, cairn_wide light, int32_t ratio)
+{
+    return cairn_wide_less(cairn_wide_mul(light, cairn_wide_from_int(ratio)), heavy);
+}
+
+/* A body that touches a light one: light as well, or a load. */
+static void meet(growth *g, cairn_body *body)
+{
+    if (body->next == g->number || !cairn_body_is_dynamic(body)) {
+        return;
+    }
+    if (outweighs(g->heaviest, body->mass, CAIRN_UNEVEN)) {
+        body->next = g->number;
+        g->lightest = cairn_wide_less(body->mass, g->lightest) ? body->mass : g->lightest;
+        g->changed = true;
+    } else if (cairn_wide_less(g->heaviest, body->mass)) {
+        g->heaviest = body->mass;
+        g->changed = true;
+    }
+}
+
+/*
+ * All that hangs together with one uneven contact. Each round finds a body or a heavier one, so it ends. Arbiters of
+ * a block found before are of this one if they are reached: its load is the greater one, and all of them will be.
+ */
+static void grow(cairn_world *world, growth *g)
+{
+    do {
+        g->changed = false;
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+            cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+            if (is_solved(arbiter) && (a->next == g->number || b->next == g->number)) {
+                set_number(arbiter, g->number);
+                meet(g, a);
+                meet(g, b);
+            }
+        }
+    } while (g->changed);
+}
+
+/* Whether a block is of use and has room: with one arbiter alone the sweeps do as well. */
+static bool is_worth(const cairn_world *world, const growth *g)
+{
+    int rows = 0, arbiters = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (number_of(arbiter) == g->number) {
+            rows += arbiter->count + 1;
+            arbiters++;
+        }
+    }
+    return arbiters > 1 && rows <= CAIRN_BLOCK_ROWS && !outweighs(g->heaviest, g->lightest, RATIO_MAX);
+}
+
+static void dissolve(cairn_world *world, uint8_t number)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (number_of(arbiter) == number) {
+            cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+            a->next = a->next == number ? DISSOLVED : a->next;
+            b->next = b->next == number ? DISSOLVED : b->next;
+            set_number(arbiter, DISSOLVED);
+        }
+    }
+}
+
+static void forget_impulses(cairn_arbiter *arbiter, uint16_t mark)
+{
+    arbiter->rows[0].impulse = 0;
+    arbiter->rows[1].impulse = 0;
+    arbiter->friction_impulse = 0;
+    arbiter->exponent = 0;
+    arbiter->block_mark = mark;
+}
+
+/* What was in a block and is no longer starts from zero: its impulses may be anything. */
+static void forget_former(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (is_solved(arbiter) && number_of(arbiter) == DISSOLVED) {
+            set_number(arbiter, 0);
+        }
+        if (is_solved(arbiter) && number_of(arbiter) == 0 && arbiter->block_mark != 0) {
+            forget_impulses(arbiter, 0);
+        }
+    }
+}
+
+/* Stands for the pairs and points of a block. Not zero. */
+static uint16_t mark_of(const cairn_world *world, uint8_t number)
+{
+    uint32_t hash = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (number_of(arbiter) == number) {
+            hash = (hash ^ ((uint32_t)arbiter->a << 16 | arbiter->b)) * 16777619u;
+            for (int i = 0; i < arbiter->count; i++) {
+                hash = (hash ^ arbiter->rows[i].feature) * 16777619u;
+            }
+        }
+    }
+    return (uint16_t)(hash >> 16 | 1u);
+}
+
+/* Impulses are good for a warm start only if the block is the one that they were found for. */
+static void compare(cairn_world *world, uint8_t number)
+{
+    uint16_t mark = mark_of(world, number);
+    bool same = true;
+    for (int again = 0; again < 2; again++) {
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+            if (number_of(arbiter) == number) {
+                same = same && (again || arbiter->block_mark == mark);
+                if (!same && again) {
+                    forget_impulses(arbiter, mark);
+                }
+            }
+        }
+    }
+}
+
+static void find(cairn_world *world)
+{
+    clear(world);
+    world->blocks = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (!(arbiter->block & CAIRN_BLOCK_UNEVEN) || number_of(arbiter) != 0 || !is_solved(arbiter) || world->blocks == LAST_NUMBER) {
+            continue;
+        }
+        cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+        bool a_is_light = cairn_wide_less(a->mass, b->mass);
+        growth g;
+        g.number = (uint8_t)(world->blocks + 1);
+        g.heaviest = a_is_light ? b->mass : a->mass;
+        g.lightest = a_is_light ? a->mass : b->mass;
+        (a_is_light ? a : b)->next = g.number;
+        grow(world, &g);
+        if (is_worth(world, &g)) {
+            world->blocks++;
+        } else {
+            dissolve(world, g.number);
+        }
+    }
+    forget_former(world);
+    for (uint8_t number = 1; number <= world->blocks; number++) {
+        compare(world, number);
+    }
+    world->uneven = world->blocks; /* look again in the next step, if only to release them */
+}
+
+static void release(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (arbiter->block_mark != 0) {
+            forget_impulses(arbiter, 0);
+        }
+        set_number(arbiter, 0);
+    }
+    world->blocks = world->uneven = 0;
+}
+
+/* ---- gathering one ---- */
+
+static uint8_t slot_of(cairn_block *block, cairn_body *body)
+{
+    int i = 0;
+    while (i < block->body_count && block->bodies[i].body != body) {
+        i++;
+    }
+    if (i == block->body_count) {
+        cairn_block_body *slot = &block->bodies[block->body_count++];
+        memset(slot, 0, sizeof *slot);
+        slot->body = body;
+    }
+    return (uint8_t)i;
+}
+
+/* Inverse masses relative to the lightest, and how soft the contacts are with the heaviest. */
+static void weigh(cairn_block *block)
+{
+    cairn_wide lightest = cairn_wide_from_int(0), heaviest = lightest;
+    for (int i = 0; i < block->body_count; i++) {
+        cairn_wide mass = block->bodies[i].body->mass;
+        if (!cairn_wide_is_zero(mass)) {
+            lightest = cairn_wide_is_zero(lightest) || cairn_wide_less(mass, lightest) ? mass : lightest;
+            heaviest = cairn_wide_less(heaviest, mass) ? mass : heaviest;
+        }
+    }
+    for (int i = 0; i < block->body_count; i++) {
+        block->bodies[i].inverse = cairn_wide_div(lightest, block->bodies[i].body->mass);
+    }
+    block->softness = cairn_wide_mul(YIELD, cairn_wide_div(lightest, heaviest));
+}
+
+/* From an arbiter's own unit of impulses to the block's. */
+static cairn_wide unit_of(const cairn_block *block, const cairn_block_row *row)
+{
+    const cairn_block_arbiter *arbiter = &block->arbiters[row->arbiter];
+    return cairn_wide_add(block->bodies[arbiter->a].inverse, block->bodies[arbiter->b].inverse);
+}
+
+/* The rows of an arbiter: its points, then friction. */
+static void add_rows(cairn_block *block, const cairn_arbiter *arbiter)
+{
+    for (int i = 0; i <= arbiter->count; i++) {
+        cairn_block_row *row = &block->rows[block->row_count + i];
+        bool rubs = i == arbiter->count;
+        row->arbiter = (uint8_t)block->arbiter_count;
+        row->x = rubs ? cairn_dir_negate(arbiter->normal_y) : arbiter->normal_x;
+        row->y = rubs ? arbiter->normal_x : arbiter->normal_y;
+        row->lever_a = rubs ? arbiter->friction_lever_a : arbiter->rows[i].lever_a;
+        row->lever_b = rubs ? arbiter->friction_lever_b : arbiter->rows[i].lever_b;
+        row->kind = rubs ? CAIRN_ROW_FRICTION : CAIRN_ROW_RIGID;
+        row->limit = rubs ? 0 : CAIRN_PUSH_MAX;
+        row->bias = 0;
+        row->state = CAIRN_ROW_LOW;
+    }
+    block->row_count += arbiter->count + 1;
+}
+
+static void load_impulses(cairn_block *block, const cairn_arbiter *arbiter, int first)
+{
+    cairn_wide per_unit = cairn_wide_div(cairn_wide_from_int(1), unit_of(block, &block->rows[first]));
+    for (int i = 0; i <= arbiter->count; i++) {
+        cairn_motion impulse = i == arbiter->count ? arbiter->friction_impulse : arbiter->rows[i].impulse;
+        block->rows[first + i].impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(impulse), arbiter->exponent), per_unit);
+    }
+}
+
+static void gather(cairn_world *world, uint8_t number, cairn_block *block)
+{
+    block->row_count = block->body_count = block->arbiter_count = 0;
+    block->current = block->factors.valid = false;
+    block->factors.count = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (number_of(arbiter) == number) {
+            cairn_block_arbiter *slot = &block->arbiters[block->arbiter_count];
+            slot->place = place;
+            slot->a = slot_of(block, &world->bodies[arbiter->a]);
+            slot->b = slot_of(block, &world->bodies[arbiter->b]);
+            add_rows(block, arbiter);
+            block->arbiter_count++;
+        }
+    }
+    weigh(block);
+    for (int i = 0, first = 0; i < block->arbiter_count; i++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
+        load_impulses(block, arbiter, first);
+        first += arbiter->count + 1;
+    }
+}
+
+/* ---- and back ---- */
+
+static void store_impulses(const cairn_block *block, cairn_arbiter *arbiter, int first)
+{
+    cairn_wide unit = unit_of(block, &block->rows[first]);
+    cairn_push impulses[3];
+    int exponent = 0;
+    for (int i = 0; i <= arbiter->count; i++) {
+        impulses[i] = cairn_push_scale(block->rows[first + i].impulse, unit);
+        int excess = cairn_push_excess(impulses[i]);
+        exponent = excess > exponent ? excess : exponent;
+    }
+    for (int i = 0; i <= arbiter->count; i++) {
+        cairn_motion impulse = cairn_motion_from_push(cairn_push_shift(impulses[i], -exponent));
+        *(i == arbiter->count ? &arbiter->friction_impulse : &arbiter->rows[i].impulse) = impulse;
+    }
+    arbiter->exponent = (uint8_t)exponent;
+}
+
+static void store(cairn_world *world, cairn_block *block)
+{
+    cairn_block_evaluate(block);
+    for (int i = 0; i < block->body_count; i++) {
+        cairn_block_body *from = &block->bodies[i];
+        if (cairn_body_is_dynamic(from->body)) {
+            from->body->vx = cairn_motion_clamp(cairn_motion_from_push(from->vx), CAIRN_SWEEP_SPEED);
+            from->body->vy = cairn_motion_clamp(cairn_motion_from_push(from->vy), CAIRN_SWEEP_SPEED);
+            from->body->w = cairn_motion_clamp(cairn_motion_from_push(from->vw), CAIRN_SWEEP_SPIN);
+        }
+    }
+    for (int i = 0, first = 0; i < block->arbiter_count; i++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
+        store_impulses(block, arbiter, first);
+        first += arbiter->count + 1;
+    }
+}
+
+/* ---- passes ---- */
+
+static cairn_push magnitude(cairn_push x) { return x < 0 ? -x : x; }
+
+static void set_impulse(cairn_block *block, int row, cairn_push impulse) { cairn_block_press(block, &block->rows[row], impulse - block->rows[row].impulse); }
+
+static void clear_impulses(cairn_block *block)
+{
+    for (int i = 0; i < block->row_count; i++) {
+        set_impulse(block, i, 0);
+    }
+}
+
+static cairn_motion separation_of(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion *moved)
+{
+    *moved = cairn_row_displacement(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter, row);
+    return cairn_motion_add(row->gap, *moved);
+}
+
+/* Bodies hold v + beta d, so a touching point's push-out follows its separation. One that is apart may close its gap and no more. */
+static void bias_point(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to)
+{
+    to->kind = CAIRN_ROW_SOFT;
+    to->bias = row->gap;
+    if (row->gap > 0) {
+        cairn_motion moved, separation = separation_of(world, arbiter, row, &moved);
+        bool apart = separation > 0;
+        to->kind = apart ? CAIRN_ROW_RIGID : CAIRN_ROW_SOFT;
+        to->bias = apart ? cairn_motion_add(separation, -cairn_motion_ratio(moved, CAIRN_SOFT_BETA))
+                         : cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA);
+    }
+}
+
+static void relax_point(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to)
+{
+    if (row->gap > 0) {
+        cairn_motion moved, separation = separation_of(world, arbiter, row, &moved);
+        to->bias = separation > 0 ? separation : 0;
+    }
+}
+
+static void start_points(const cairn_world *world, cairn_block *block,
+                         void (*bias)(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to))
+{
+    for (int i = 0, next = 0; i < block->arbiter_count; i++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
+        for (int k = 0; k < arbiter->count; k++) {
+            cairn_block_row *row = &block->rows[next + k];
+            row->state = row->impulse > 0 ? CAIRN_ROW_FREE : CAIRN_ROW_LOW;
+            bias(world, arbiter, &arbiter->rows[k], row);
+            if (arbiter->rows[k].gap > 0 && (arbiter->rows[k].feature & CAIRN_ROW_IN_FLIGHT)) {
+                row->state = CAIRN_ROW_LOW; /* the impact phase's */
+                row->limit = 0;
+            }
+        }
+        next += arbiter->count + 1;
+    }
+    for (int i = 0; i < block->row_count; i++) {
+        cairn_block_row *row = &block->rows[i];
+        if (row->kind == CAIRN_ROW_FRICTION) {
+            row->state = CAIRN_ROW_FREE;
+            row->limit = CAIRN_PUSH_MAX;
+        }
+        cairn_block_scale_row(block, i);
+    }
+}
+
+/* Friction's limits from the pressure that there is. True if they are other than before. */
+static bool limit_friction(const cairn_world *world, cairn_block *block)
+{
+    bool changed = false;
+    for (int i = 0, next = 0; i < block->arbiter_count; i++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
+        cairn_push pressure = 0;
+        for (int k = 0; k < arbiter->count; k++) {
+            pressure += block->rows[next + k].impulse;
+        }
+        next += arbiter->count;
+        cairn_block_row *row = &block->rows[next++];
+        bool slides = magnitude(row->residual) > cairn_push_half(pressure);
+        cairn_push old = row->limit;
+        row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : arbiter->static_friction);
+        if (row->state == CAIRN_ROW_FREE && magnitude(row->impulse) > row->limit) {
+            row->state = (uint8_t)(row->impulse > row->limit ? CAIRN_ROW_HIGH : CAIRN_ROW_LOW);
+            changed = true;
+        } else if (row->state != CAIRN_ROW_FREE) {
+            changed = changed || magnitude(row->limit - old) > LIMIT_ERROR;
+        }
+    }
+    return changed;
+}
+
+/* Friction's share of what the bodies lean by: their slip in this step is not to be undone. */
+static void bias_friction(cairn_block *block)
+{
+    for (int i = 0; i < block->row_count; i++) {
+        cairn_block_row *row = &block->rows[i];
+        if (row->kind == CAIRN_ROW_FRICTION) {
+            const cairn_block_arbiter *arbiter = &block->arbiters[row->arbiter];
+            const cairn_body *a = block->bodies[arbiter->a].body, *b = block->bodies[arbiter->b].body;
+            row->bias = -cairn_motion_ratio(cairn_displacement_along(a, b, row->x, row->y, row->lever_a, row->lever_b), CAIRN_SOFT_BETA);
+        }
+    }
+}
+
+static cairn_push greater(cairn_push most, cairn_push x) { return magnitude(x) > most ? magnitude(x) : most; }
+
+/* Whether a body is much faster than any was before this sub-step: no collision without restitution does that. */
+static bool is_implausible(const cairn_world *world, cairn_block *block)
+{
+    cairn_push before = 0, after = 0;
+    cairn_push fall = magnitude(cairn_push_from_motion(world->gravity_x.whole)) + magnitude(cairn_push_from_motion(world->gravity_y.whole));
+    cairn_block_evaluate(block);
+    for (int i = 0; i < block->body_count; i++) {
+        const cairn_block_body *body = &block->bodies[i];
+        before = greater(greater(greater(before, cairn_push_from_motion(body->body->ux)), cairn_push_from_motion(body->body->uy)),
+                         cairn_push_from_motion(body->body->uw));
+        after = greater(greater(greater(after, body->vx), body->vy), body->vw);
+    }
+    return after > 2 * before + 4 * fall + cairn_push_from_motion(world->push_out_limit);
+}
+
+/* What the contacts' new directions make of the impulses may be anything: then the block starts from zero. */
+static void warm_start_block(cairn_world *world, cairn_block *block)
+{
+    for (int i = 0; i < block->row_count; i++) {
+        cairn_push impulse = block->rows[i].impulse;
+        block->rows[i].impulse = 0;
+        set_impulse(block, i, impulse);
+    }
+    if (is_implausible(world, block)) {
+        clear_impulses(block);
+    }
+    store(world, block);
+}
+
+static void solve(cairn_world *world, cairn_block *block)
+{
+    bool settled = false;
+    cairn_block_evaluate(block);
+    for (int i = 0; i < FRICTION_ROUNDS && !settled; i++) {
+        if (!cairn_block_settle(block)) {
+            break;
+        }
+        settled = !limit_friction(world, block);
+    }
+    if (is_implausible(world, block)) {
+        clear_impulses(block);
+    }
+    store(world, block);
+}
+
+static void biased_block(cairn_world *world, cairn_block *block)
+{
+    start_points(world, block, bias_point);
+    bias_friction(block);
+    solve(world, block);
+}
+
+/*
+ * The rule of rest holds for all of a block or for none: stopping a light body a little before its balance would leave
+ * the one above it sliding along for ever.
+ */
+static void rest_together(const cairn_world *world, const cairn_block *block)
+{
+    bool still = true;
+    for (int i = 0; i < block->body_count; i++) {
+        const cairn_body *body = block->bodies[i].body;
+        still = still && (!cairn_body_is_dynamic(body) || cairn_body_is_still(world, body));
+    }
+    for (int i = 0; i < block->body_count && !still; i++) {
+        block->bodies[i].body->flags |= CAIRN_BODY_RESTLESS;
+    }
+}
+
+static void relax_block(cairn_world *world, cairn_block *block)
+{
+    start_points(world, block, relax_point);
+    solve(world, block);
+    rest_together(world, block);
+}
+
+static void for_each_block(cairn_world *world, void (*pass)(cairn_world *world, cairn_block *block))
+{
+    for (uint8_t number = 1; number <= world->blocks; number++) {
+        cairn_block block;
+        gather(world, number, &block);
+        pass(world, &block);
+    }
+}
+
+static void warm_start(cairn_world *world) { for_each_block(world, warm_start_block); }
+static void biased_pass(cairn_world *world) { for_each_block(world, biased_block); }
+static void relax_pass(cairn_world *world) { for_each_block(world, relax_block); }
+
+const cairn_block_class cairn_blocks = { find, warm_start, biased_pass, relax_pass, release };
