@@ -2,6 +2,7 @@
  * Springs: Hooke's law with damping along the line between two anchors, F = -k (L - L0) u - c (v . u) u.
  * Bodies farther apart than 500 m on an axis are pulled as if they were so near.
  * Any stiffness stays bounded: stiff springs are solved implicitly, a lone spring by the exact map of the oscillator.
+ * Networks held in shape by diagonals hang as statics say, at any stiffness, with cairn_meshes_enable (spring_mesh.h).
  */
 #ifndef CAIRN_SPRING_H
 #define CAIRN_SPRING_H

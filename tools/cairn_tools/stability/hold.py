@@ -166,6 +166,13 @@ _BOTH = (
     "square-1e6",
     "square-1e7",
     "square-1e8",
+    "network-truss-1e8",
+    "network-wheel-1e7",
+    "network-ring-1e8",
+    "network-tree-1e8",
+    "network-web-1e8",
+    "network-braced-1e8",
+    "network-loaded-rope-1e8",
 )
 
 # One of the two arithmetics alone.
