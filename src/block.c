@@ -286,7 +286,8 @@ static void load_impulses(cairn_block *block, const cairn_arbiter *arbiter, int 
     }
 }
 
-static void gather(cairn_world *world, uint8_t number, cairn_block *block)
+/* False if it has outgrown its room: the impact phase may find another point within a step. */
+static bool gather(cairn_world *world, uint8_t number, cairn_block *block)
 {
     block->row_count = block->body_count = block->arbiter_count = 0;
     block->current = block->factors.valid = false;
@@ -294,6 +295,9 @@ static void gather(cairn_world *world, uint8_t number, cairn_block *block)
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (number_of(arbiter) == number) {
+            if (block->row_count + arbiter->count + 1 > CAIRN_BLOCK_ROWS) {
+                return false;
+            }
             cairn_block_arbiter *slot = &block->arbiters[block->arbiter_count];
             slot->place = place;
             slot->a = slot_of(block, &world->bodies[arbiter->a]);
@@ -308,6 +312,7 @@ static void gather(cairn_world *world, uint8_t number, cairn_block *block)
         load_impulses(block, arbiter, first);
         first += arbiter->count + 1;
     }
+    return true;
 }
 
 /* ---- and back ---- */
@@ -533,8 +538,12 @@ static void for_each_block(cairn_world *world, void (*pass)(cairn_world *world, 
 {
     for (uint8_t number = 1; number <= world->blocks; number++) {
         cairn_block block;
-        gather(world, number, &block);
-        pass(world, &block);
+        if (gather(world, number, &block)) {
+            pass(world, &block);
+        } else {
+            dissolve(world, number);
+            forget_former(world);
+        }
     }
 }
 
