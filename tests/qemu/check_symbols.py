@@ -18,7 +18,11 @@ FORBIDDEN_CALLS = re.compile(
 )
 # The types that nm gives to writable data: initialised, zero, common, and small ones.
 WRITABLE = set("DdBbCGgSs")
-FEATURES = re.compile(r"cairn_\w*(polygon|hull|box|spring|quadtree|query|_ray|draw|slides|sleep|bullet|joint|block|continuous)\w*", re.I)
+FEATURES = re.compile(
+    r"cairn_\w*(polygon|hull|box|spring|quadtree|query|_ray|draw|slides|sleep|bullet|joint"
+    r"|block|continuous)\w*",
+    re.I,
+)
 
 
 def symbols(nm: str, path: str, *options: str) -> list[tuple[str, str]]:

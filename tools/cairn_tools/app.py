@@ -341,6 +341,7 @@ def stability(
     solver: Annotated[list[Solver] | None, typer.Option(help="Default: soft; slides beside it where it falls.")] = None,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw the sweeps and the cases too.")] = None,
     workers: Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes.")] = stability_module.WORKERS,
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the tables of docs/STABILITY.md.")] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Stiff and extreme cases, one verdict a row; exit code 1 if one falls short."""
@@ -354,6 +355,8 @@ def stability(
             stability_module.draw(_folder(plots), workers)
     if as_json:
         print(stability_module.as_json(results))
+    elif markdown:
+        print(stability_report.markdown(results))
     else:
         stability_report.show(results, out)
     if not all(result.ok for result in results if result.decides):

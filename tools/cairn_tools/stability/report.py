@@ -109,3 +109,54 @@ def show(results: list[Result], console: Console) -> None:
     wide = console if console.is_terminal else Console(width=180)
     wide.print(table(results))
     wide.print(closing(results))
+
+
+# The headings of the page, by the file that holds the cases.
+HEADINGS = {
+    "scenes": "Scenes of the slides and of examples/scenes",
+    "stands": "Standing",
+    "heavy": "Masses and impacts",
+    "springs": "Springs",
+    "motion": "Motion",
+    "fast": "Fast bodies",
+    "mess": "Disorder and extreme settings",
+}
+
+
+def markdown(results: list[Result]) -> str:
+    """The results as docs/STABILITY.md has them: one line a case, its figures in fixed point and in double."""
+    lines: list[str] = []
+    soft = [result for result in results if result.decides]
+    for file, heading in HEADINGS.items():
+        names = dict.fromkeys(r.case for r in soft if CASES[r.case].check.__module__.endswith(f".{file}"))
+        if not names:
+            continue
+        lines += [f"### {heading}", "", "| case | q16 | f64 | figures in q16 (f64) |", "| --- | --- | --- | --- |"]
+        for name in names:
+            by_engine = {result.engine: result for result in soft if result.case == name}
+            verdicts = (_plain(by_engine[engine]) if engine in by_engine else "" for engine in ("q16", "f64"))
+            lines.append(f"| `{name}` | {' | '.join(verdicts)} | {_figures(by_engine)} |")
+        lines.append("")
+    return "\n".join([*lines, closing(results)])
+
+
+def _plain(result: Result) -> str:
+    if _is_stretch(result) and not all(figure.ok for figure in result.figures):
+        return "stretch: open"
+    return "holds" if result.ok else "**short**"
+
+
+def _figures(by_engine: dict[str, Result]) -> str:
+    first = by_engine.get("q16") or next(iter(by_engine.values()))
+    if first.error:
+        return first.error
+    others = {figure.what: figure for figure in by_engine["f64"].figures} if "f64" in by_engine else {}
+    texts = []
+    for figure in first.figures:
+        other = others.get(figure.what)
+        beside = f" ({shown(other.value, other.unit)})" if other and first.engine == "q16" else ""
+        limit = f"{'≥' if figure.least else '≤'} {shown(figure.limit, figure.unit)}"
+        text = f"{figure.what} {shown(figure.value, figure.unit)}{beside} {limit}"
+        text = text if figure.ok else f"**{text}**"
+        texts.append(f"[{text}]" if figure.stretch else text)
+    return "; ".join(texts)
