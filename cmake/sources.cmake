@@ -3,6 +3,7 @@ set(CAIRN_SOURCES
     src/arbiter.c
     src/arith_fixed.c
     src/block.c
+    src/block_find.c
     src/block_solve.c
     src/body.c
     src/body_force.c

@@ -961,6 +961,60 @@ static uint32_t folded(uint32_t hash, int32_t x) { return (hash ^ (uint32_t)x) *
 
 static uint32_t folded_wide(uint32_t hash, cairn_wide k) { return folded(folded(hash, (int32_t)k.mantissa), k.exponent); }
 
+void test_pushes_take_the_short_way_with_the_same_bits(void)
+{
+    static const cairn_push xs[] = { 0, 1, -1, 12345, -98765, (1 << 28) - 1, -(1 << 28), 1 << 28, -(1 << 28) - 1, (cairn_push)3 << 40, -((cairn_push)5 << 38) - 7 };
+    static const int32_t factors[] = { 0, 1, -1, 16384, -16384, 11585, -23170, 8191 };
+    for (size_t i = 0; i < sizeof xs / sizeof *xs; i++) {
+        for (size_t j = 0; j < sizeof factors / sizeof *factors; j++) {
+            int32_t f = factors[j];
+            TEST_ASSERT_TRUE(cairn_push_lever(xs[i], (cairn_lever)f) == cairn_mul64(xs[i], f, 13));
+            TEST_ASSERT_TRUE(cairn_push_dir(xs[i], (cairn_dir)f) == cairn_mul64(xs[i], f, 14));
+            TEST_ASSERT_TRUE(cairn_push_unit(xs[i], f * 32768) == cairn_mul64(xs[i], f * 32768, 30));
+        }
+    }
+    TEST_ASSERT_TRUE(cairn_mul64((cairn_push)3 << 40, 3, 1) == (cairn_push)9 << 39);
+    TEST_ASSERT_TRUE(cairn_mul64(-3, 1, 1) == -1); /* halves upwards */
+}
+
+void test_a_push_times_a_wide_number_is_rounded_and_saturates(void)
+{
+    cairn_push large = (cairn_push)1 << 40;
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(3, 0)) == 3 * large);
+    TEST_ASSERT_TRUE(cairn_push_scale(-large, cairn_wide_of(3, 0)) == -3 * large);
+    TEST_ASSERT_TRUE(cairn_push_scale(large + 1, cairn_wide_of(1, -1)) == large / 2 + 1);
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(1, -20)) == 1 << 20);
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(1, -41)) == 1);
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(1, -100)) == 0);
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(0, 0)) == 0);
+    TEST_ASSERT_TRUE(cairn_push_scale(0, cairn_wide_of(1, 40)) == 0);
+    TEST_ASSERT_TRUE(cairn_push_scale(large, cairn_wide_of(1, 8)) == CAIRN_PUSH_MAX);
+    TEST_ASSERT_TRUE(cairn_push_scale(-large, cairn_wide_of(1, 40)) == -CAIRN_PUSH_MAX);
+    TEST_ASSERT_TRUE(cairn_push_scale(7, cairn_wide_of(1, -1)) == 4);
+    TEST_ASSERT_TRUE(cairn_push_scale(7, cairn_wide_of(5, 2)) == 140);
+}
+
+void test_pushes_shift_and_tell_their_excess(void)
+{
+    TEST_ASSERT_TRUE(cairn_push_shift(3, -1) == 2);
+    TEST_ASSERT_TRUE(cairn_push_shift(-5, 2) == -20);
+    TEST_ASSERT_TRUE(cairn_push_shift(CAIRN_PUSH_MAX, 3) == CAIRN_PUSH_MAX);
+    TEST_ASSERT_EQUAL_INT(0, cairn_push_excess((1 << 29) - 1));
+    TEST_ASSERT_EQUAL_INT(1, cairn_push_excess(-(1 << 29)));
+    TEST_ASSERT_EQUAL_INT(18, cairn_push_excess(CAIRN_PUSH_MAX - 1));
+}
+
+void test_units_of_a_matrix_have_room_for_powers_of_four(void)
+{
+    TEST_ASSERT_EQUAL_INT(0, cairn_unit_room(CAIRN_UNIT(1.5)));
+    TEST_ASSERT_EQUAL_INT(0, cairn_unit_room(CAIRN_UNIT(0.25)));
+    TEST_ASSERT_EQUAL_INT(1, cairn_unit_room(CAIRN_UNIT(0.25) - 1));
+    TEST_ASSERT_EQUAL_INT(14, cairn_unit_room(1));
+    TEST_ASSERT_EQUAL_INT(CAIRN_UNIT(-0.5), cairn_unit_grow(CAIRN_UNIT(-0.125), 2));
+    /* (0.6, 0.8) (0.8, 0.6) + 2 * (-0.5) = -0.04, times 3 / 4 */
+    TEST_ASSERT_INT32_WITHIN(100000, CAIRN_UNIT(-0.03), cairn_unit_coupling(9830, 13107, 16384, 13107, 9830, -4096, cairn_wide_of(3, 0), -2));
+}
+
 void test_every_core_gives_the_same_bits(void)
 {
     uint32_t hash = 2166136261u;

@@ -274,3 +274,47 @@ void test_a_world_without_blocks_leaves_all_to_the_sweeps(void)
     TEST_ASSERT_EQUAL_INT(0, world->blocks);
     TEST_ASSERT_TRUE(y_of(light) < CAIRN_F(0.499));
 }
+
+/* Numbers in no order, the same on every target. */
+static uint32_t lot(uint32_t *state, uint32_t below)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) % below;
+}
+
+/* Masses over seven decades, elastic ones too: blocks come, grow and go in every step. */
+void test_violent_scenes_of_all_masses_stay_in_bounds(void)
+{
+    static const cairn_material bouncing = CAIRN_MATERIAL_BOUNCING(0.5, 0.3, 0.6, 0.2);
+    static const cairn_shape wall = CAIRN_BOX(CAIRN_F(1), CAIRN_F(30)), slate = CAIRN_BOX(CAIRN_F(0.6), CAIRN_F(0.3));
+    int blocks = 0;
+    for (uint32_t seed = 1; seed < 7; seed++) {
+        uint32_t state = seed;
+        open_with_ground();
+        put_static(&wall, CAIRN_F(-3), CAIRN_F(15));
+        put_static(&wall, CAIRN_F(3), CAIRN_F(15));
+        for (int i = 0; i < 12; i++) {
+            int32_t density = 1;
+            cairn_real x = CAIRN_F(-2) + CAIRN_F(0.5) * (int32_t)lot(&state, 8), y = CAIRN_F(1) + CAIRN_F(0.75) * i;
+            cairn_body_def def = def_at(i % 3 == 0 ? &ball : i % 3 == 1 ? &box : &slate, x, y);
+            for (uint32_t decades = lot(&state, 8); decades > 0; decades--) {
+                density *= 10;
+            }
+            def.density = cairn_wide_from_int(density);
+            def.angle = CAIRN_DEGREES(5) * (int32_t)lot(&state, 36);
+            def.velocity = at(CAIRN_F(1) * ((int32_t)lot(&state, 21) - 10), CAIRN_F(-1) * (int32_t)lot(&state, 20));
+            def.material = seed % 2 == 0 ? &bouncing : def.material;
+            make(&def);
+        }
+        for (int step = 0; step < 100; step++) {
+            run(1);
+            blocks += world->blocks;
+        }
+        for (cairn_body_id id = cairn_world_next_body(world, cairn_body_id_null()); !cairn_body_id_is_null(id);
+             id = cairn_world_next_body(world, id)) {
+            TEST_ASSERT_TRUE(size_of(x_of(id)) < CAIRN_F(1000));
+            TEST_ASSERT_TRUE(size_of(y_of(id)) < CAIRN_F(1000));
+        }
+    }
+    TEST_ASSERT_TRUE(blocks > 0);
+}

@@ -1,0 +1,211 @@
+/*
+ * Which contacts make a block, at the start of a step.
+ *
+ * A body is light if it touches one of more than CAIRN_UNEVEN times its mass. A block has the contacts of its light bodies;
+ * what touches those and is light beside the heaviest body of the block belongs to it too. A block with more rows than
+ * there is room for is left to the sweeps as a whole: half a block cannot carry the load on.
+ */
+#include "block.h"
+
+/* More than this and the shares of a change would not be known well enough. */
+#define RATIO_MAX 262144
+/* Beyond these numbers: no more blocks; and one that has too many rows. */
+#define LAST_NUMBER 126
+#define DISSOLVED 127
+
+static void set_number(cairn_arbiter *arbiter, uint8_t number) { arbiter->block = (uint8_t)((arbiter->block & CAIRN_BLOCK_UNEVEN) | number); }
+
+static bool is_solved(const cairn_arbiter *arbiter) { return (arbiter->flags & CAIRN_ARBITER_SOLVED) != 0; }
+
+/* Nothing is in a block yet. Light bodies have the block's number in `next`, which sleep uses only later in the step. */
+static void clear(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        if (world->bodies[i].flags & CAIRN_BODY_USED) {
+            world->bodies[i].next = CAIRN_NONE;
+        }
+    }
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        set_number(cairn_arbiter_at(world, place), 0);
+    }
+}
+
+/* What a block is found to have while it grows. */
+typedef struct growth {
+    uint8_t number;
+    bool changed;
+    cairn_wide heaviest, lightest;
+} growth;
+
+static bool outweighs(cairn_wide heavy, cairn_wide light, int32_t ratio)
+{
+    return cairn_wide_less(cairn_wide_mul(light, cairn_wide_from_int(ratio)), heavy);
+}
+
+/* A body that touches a light one: light as well, or a load. */
+static void meet(growth *g, cairn_body *body)
+{
+    if (body->next == g->number || !cairn_body_is_dynamic(body)) {
+        return;
+    }
+    if (outweighs(g->heaviest, body->mass, CAIRN_UNEVEN)) {
+        body->next = g->number;
+        g->lightest = cairn_wide_less(body->mass, g->lightest) ? body->mass : g->lightest;
+        g->changed = true;
+    } else if (cairn_wide_less(g->heaviest, body->mass)) {
+        g->heaviest = body->mass;
+        g->changed = true;
+    }
+}
+
+/*
+ * All that hangs together with one uneven contact. Each round finds a body or a heavier one, so it ends. Arbiters of
+ * a block found before are of this one if they are reached: its load is the greater one, and all of them will be.
+ */
+static void grow(cairn_world *world, growth *g)
+{
+    do {
+        g->changed = false;
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+            cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+            if (is_solved(arbiter) && (a->next == g->number || b->next == g->number)) {
+                set_number(arbiter, g->number);
+                meet(g, a);
+                meet(g, b);
+            }
+        }
+    } while (g->changed);
+}
+
+/* Whether a block is of use and has room: with one arbiter alone the sweeps do as well. */
+static bool is_worth(const cairn_world *world, const growth *g)
+{
+    int rows = 0, arbiters = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (cairn_block_of(arbiter) == g->number) {
+            rows += arbiter->count + 1;
+            arbiters++;
+        }
+    }
+    return arbiters > 1 && rows <= CAIRN_BLOCK_ROWS && !outweighs(g->heaviest, g->lightest, RATIO_MAX);
+}
+
+static void dissolve(cairn_world *world, uint8_t number)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (cairn_block_of(arbiter) == number) {
+            cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+            a->next = a->next == number ? DISSOLVED : a->next;
+            b->next = b->next == number ? DISSOLVED : b->next;
+            set_number(arbiter, DISSOLVED);
+        }
+    }
+}
+
+static void forget_impulses(cairn_arbiter *arbiter, uint16_t mark)
+{
+    arbiter->rows[0].impulse = 0;
+    arbiter->rows[1].impulse = 0;
+    arbiter->friction_impulse = 0;
+    arbiter->exponent = 0;
+    arbiter->block_mark = mark;
+}
+
+/* What was in a block and is no longer starts from zero: its impulses may be anything. */
+static void forget_former(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (is_solved(arbiter) && cairn_block_of(arbiter) == DISSOLVED) {
+            set_number(arbiter, 0);
+        }
+        if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && arbiter->block_mark != 0) {
+            forget_impulses(arbiter, 0);
+        }
+    }
+}
+
+void cairn_block_dissolve(cairn_world *world, uint8_t number)
+{
+    dissolve(world, number);
+    forget_former(world);
+}
+
+/* Stands for the pairs and points of a block. Not zero. */
+static uint16_t mark_of(const cairn_world *world, uint8_t number)
+{
+    uint32_t hash = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (cairn_block_of(arbiter) == number) {
+            hash = (hash ^ ((uint32_t)arbiter->a << 16 | arbiter->b)) * 16777619u;
+            for (int i = 0; i < arbiter->count; i++) {
+                hash = (hash ^ arbiter->rows[i].feature) * 16777619u;
+            }
+        }
+    }
+    return (uint16_t)(hash >> 16 | 1u);
+}
+
+/* Impulses are good for a warm start only if the block is the one that they were found for. */
+static void compare(cairn_world *world, uint8_t number)
+{
+    uint16_t mark = mark_of(world, number);
+    bool same = true;
+    for (int again = 0; again < 2; again++) {
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+            if (cairn_block_of(arbiter) == number) {
+                same = same && (again || arbiter->block_mark == mark);
+                if (!same && again) {
+                    forget_impulses(arbiter, mark);
+                }
+            }
+        }
+    }
+}
+
+void cairn_block_find(cairn_world *world)
+{
+    clear(world);
+    world->blocks = 0;
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (!(arbiter->block & CAIRN_BLOCK_UNEVEN) || cairn_block_of(arbiter) != 0 || !is_solved(arbiter) || world->blocks == LAST_NUMBER) {
+            continue;
+        }
+        cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+        bool a_is_light = cairn_wide_less(a->mass, b->mass);
+        growth g;
+        g.number = (uint8_t)(world->blocks + 1);
+        g.heaviest = a_is_light ? b->mass : a->mass;
+        g.lightest = a_is_light ? a->mass : b->mass;
+        (a_is_light ? a : b)->next = g.number;
+        grow(world, &g);
+        if (is_worth(world, &g)) {
+            world->blocks++;
+        } else {
+            dissolve(world, g.number);
+        }
+    }
+    forget_former(world);
+    for (uint8_t number = 1; number <= world->blocks; number++) {
+        compare(world, number);
+    }
+    world->uneven = world->blocks; /* look again in the next step, if only to release them */
+}
+
+void cairn_block_release(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        if (arbiter->block_mark != 0) {
+            forget_impulses(arbiter, 0);
+        }
+        set_number(arbiter, 0);
+    }
+    world->blocks = world->uneven = 0;
+}
