@@ -213,6 +213,12 @@ static inline cairn_motion cairn_row_displacement(const cairn_body *a, const cai
     return cairn_displacement_along(a, b, arbiter->normal_x, arbiter->normal_y, row->lever_a, row->lever_b);
 }
 
+/*
+ * Whether a point was farther apart when the step began than what lies or slides: its impulse stopped an approach. To repeat that in the
+ * next sub-step, or to begin the next step with it, would throw the bodies apart.
+ */
+static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap > CAIRN_MOTION(0.005); }
+
 /* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
 #define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */
 #define CAIRN_SOFT_MASS CAIRN_RATIO(0.94785)          /* of the effective mass */

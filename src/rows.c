@@ -40,12 +40,6 @@ static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
     return push < -world->push_out_limit ? -world->push_out_limit : push;
 }
 
-/*
- * A point that was farther apart when the last step began came in flight: its impulse stopped an approach, and to begin the next step with it
- * would throw the bodies apart.
- */
-#define LANDED CAIRN_MOTION(0.005)
-
 /* Hand the impulses of points that persist to their new rows. */
 static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold)
 {
@@ -57,7 +51,7 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
         row->feature = manifold->points[i].feature;
         row->impulse = 0;
         for (int j = 0; j < old_count; j++) {
-            if (old[j].feature == row->feature && old[j].gap <= LANDED) {
+            if (old[j].feature == row->feature && !cairn_row_came_flying(&old[j])) {
                 row->impulse = old[j].impulse;
                 kept = true;
             }

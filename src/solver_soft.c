@@ -302,6 +302,48 @@ static void advance(cairn_world *world)
     }
 }
 
+/* Take what the pair's impulses did to a body out of the change that is to be repeated. */
+static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share share, const cairn_lever lever[2], cairn_lever friction_lever)
+{
+    cairn_motion push = 0, turn, rub = cairn_motion_share(arbiter->friction_impulse, share), most = CAIRN_MOTION(3.9);
+    turn = cairn_motion_lever(rub, friction_lever);
+    for (int i = 0; i < arbiter->count; i++) {
+        cairn_motion part = cairn_motion_share(arbiter->rows[i].impulse, share);
+        push += part;
+        turn = cairn_motion_add(turn, cairn_motion_lever(part, lever[i]));
+    }
+    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        body->ux = cairn_motion_clamp(cairn_motion_add(body->ux, cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y)), most);
+        body->uy = cairn_motion_clamp(cairn_motion_add(body->uy, cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y)), most);
+    }
+    body->uw = cairn_motion_clamp(cairn_motion_add(body->uw, turn), most);
+}
+
+/* Whether the last change once more leads beyond the limit of speed. */
+static bool repeats_too_fast(const cairn_world *world, const cairn_body *body)
+{
+    cairn_motion x = 2 * body->vx - body->ux, y = 2 * body->vy - body->uy, w = 2 * body->w - body->uw, limit = world->speed_limit;
+    return x != cairn_motion_clamp(x, limit) || y != cairn_motion_clamp(y, limit) || w != cairn_motion_clamp(w, world->spin_limit);
+}
+
+/*
+ * An impulse that stopped something in flight need not be repeated, and the passes take it back; but not where one of two opposite
+ * changes is cut by the limit of speed.
+ */
+static void land(const cairn_world *world, cairn_arbiter *arbiter)
+{
+    cairn_row *rows = arbiter->rows;
+    bool flew = cairn_row_came_flying(&rows[0]) && (arbiter->count < 2 || cairn_row_came_flying(&rows[1]));
+    bool presses = rows[0].impulse != 0 || (arbiter->count > 1 && rows[1].impulse != 0);
+    if (flew && presses && (repeats_too_fast(world, &world->bodies[arbiter->a]) || repeats_too_fast(world, &world->bodies[arbiter->b]))) {
+        cairn_lever lever_a[2] = { rows[0].lever_a, rows[1].lever_a }, lever_b[2] = { rows[0].lever_b, rows[1].lever_b };
+        forget(&world->bodies[arbiter->a], arbiter, -arbiter->share_a, lever_a, arbiter->friction_lever_a);
+        forget(&world->bodies[arbiter->b], arbiter, arbiter->share_b, lever_b, arbiter->friction_lever_b);
+        rows[0].impulse = rows[1].impulse = arbiter->friction_impulse = 0;
+        arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+    }
+}
+
 static void solve(cairn_world *world)
 {
     cairn_motion last_gx = 0, last_gy = 0;
@@ -323,6 +365,9 @@ static void solve(cairn_world *world)
                 world->block->warm_start(world);
             }
         } else {
+            if (world->fast != 0) {
+                for_each_solved(world, land);
+            }
             cairn_bodies_repeat(world, gx - last_gx, gy - last_gy);
         }
         last_gx = gx;

@@ -145,6 +145,28 @@ void test_a_fast_impact_off_centre_keeps_the_momentum_in_every_step(void)
     }
 }
 
+/* Three to one at the greatest speed: both go on with half of it. */
+void test_an_impact_at_the_limit_of_speed_keeps_the_momentum(void)
+{
+    static const cairn_shape square = CAIRN_BOX(CAIRN_F(0.2), CAIRN_F(0.2));
+    for (int i = 0; i < 10; i++) {
+        open_yard(0);
+        cairn_real top = cairn_world_speed_limit(world);
+        cairn_body_def def = def_at(&square, CAIRN_F(-3) - CAIRN_F(0.2) * i, 0);
+        def.fixed_rotation = true;
+        def.velocity.x = top;
+        def.density = cairn_wide_from_int(3);
+        cairn_body_id heavy = make(&def);
+        def.position.x = CAIRN_F(3);
+        def.velocity.x = -top;
+        def.density = cairn_wide_from_int(1);
+        cairn_body_id light = make(&def);
+        run(10);
+        ASSERT_NEAR(0.01, 0, vx_of(heavy) - top / 2);
+        ASSERT_NEAR(0.01, 0, vx_of(light) - top / 2);
+    }
+}
+
 /* It takes the box along: m u = (m + M) v, m = 0.0025 pi. */
 void test_a_bullet_gives_its_momentum_to_the_box_that_it_hits(void)
 {
