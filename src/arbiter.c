@@ -34,8 +34,8 @@ static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const
 {
     arbiter->static_friction = a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
     arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
-    arbiter->flags = (uint8_t)(a->restitution > 0 || b->restitution > 0 ? arbiter->flags | CAIRN_ARBITER_BOUNCY
-                                                                        : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
+    arbiter->flags = (uint8_t)(a->bounce != NULL || b->bounce != NULL ? arbiter->flags | CAIRN_ARBITER_BOUNCY
+                                                                      : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
 }
 
 /* What each body takes of a change of the relative velocity. */

@@ -176,6 +176,7 @@ static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 veloci
         return;
     }
     body->vx = cairn_motion_from_real(velocity.x, world->substep);
+    body->vx_carry = body->vy_carry = 0;
     body->vy = cairn_motion_from_real(velocity.y, world->substep);
     cairn_body_limit_speed(world, body);
 }

@@ -10,14 +10,16 @@
 #include "engine.h"
 
 #define PASSES 16
+/* How often the normal impulses are repeated after friction. */
+#define RUBS 12
 /* What rounding may add to a separation, m: so near at the end of the sub-step, and the sweeps would stop the body. */
 #define CLOSE CAIRN_MOTION(2e-6)
 /* How often the time of an impact is corrected, until the points are as near as this to one another. */
 #define LOOKS 8
 #define MET CAIRN_MOTION(2e-5)
-/* A pair that turns by more than this in a step, m at the radius of gyration, is looked at again while so near. */
-#define TURNED CAIRN_OFFSET(0.005)
-#define NEAR CAIRN_MOTION(0.05)
+/* A pair that turns by more than this in a sub-step, m at the radius of gyration, is looked at again while so near. */
+#define TURNING CAIRN_OFFSET(0.001)
+#define NEAR CAIRN_OFFSET(0.05)
 /* Bodies that lie deeper than this in one another when they hit are moved apart. Less is left: it costs angular momentum. */
 #define DEEP CAIRN_MOTION(0.005)
 /* How far apart the narrow phase still finds a contact: more than it is wrong about the time. */
@@ -30,9 +32,10 @@ typedef struct impact {
     cairn_body *a, *b;
     cairn_factor restitution;
     cairn_factor norm;       /* the rounded normal's own square */
-    cairn_motion threshold;  /* what approaches slower does not rebound */
+    cairn_motion rest;       /* what closes slower does not rebound: the threshold, or what gravity gives in a sub-step */
     cairn_motion gx, gy;     /* gravity's change of the relative velocity in a sub-step; nothing where both fall alike */
     cairn_motion closing[2]; /* speed at the moment of the impact; 0: this point does not take part */
+    cairn_motion px, py;     /* sum of the impulses on b */
     cairn_motion depth;      /* of the point that hits, at that moment */
     cairn_unit time;         /* in sub-steps from this one's start; may lie a little beyond its end */
     int substep;
@@ -51,21 +54,23 @@ static cairn_motion row_velocity(const impact *i, const cairn_row *row)
 static void mix(impact *i, const cairn_world *world)
 {
     const cairn_material *a = i->a->material, *b = i->b->material;
+    cairn_real threshold = a->bounce == NULL ? b->threshold : b->bounce == NULL || a->threshold < b->threshold ? a->threshold : b->threshold;
     i->restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
-    i->threshold = cairn_motion_from_real(a->restitution == 0                                   ? b->threshold
-                                          : b->restitution == 0 || a->threshold < b->threshold ? a->threshold
-                                                                                               : b->threshold,
-                                          world->substep);
+    i->rest = cairn_motion_from_real(threshold, world->substep);
 }
 
-/* What of gravity changes the relative velocity: nothing where both fall alike. Cut so that no sum of a step's can wrap. */
+static cairn_motion size_of(cairn_motion x) { return x < 0 ? -x : x; }
+
+/* What gravity does to the pair. No sum of a step's can wrap: g k / 2 of at most 15 sub-steps stays below 4 m, and g k below 8. */
 static void weigh(impact *i, const cairn_world *world)
 {
+    cairn_motion g = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
+    i->rest = g > i->rest ? g : i->rest;
     i->gx = i->gy = 0;
     if (!cairn_body_is_dynamic(i->a) && !(i->b->flags & CAIRN_BODY_FIXED_POSITION)) {
         cairn_factor scale = cairn_factor_from_real(i->b->gravity_scale);
-        i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.5));
-        i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.5));
+        i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.35));
+        i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.35));
     }
 }
 
@@ -141,8 +146,6 @@ static course course_until(const impact *i, cairn_unit time)
     return c;
 }
 
-static cairn_offset size_of(cairn_offset x) { return x < 0 ? -x : x; }
-
 /* As the sweeps will see it at the end of this sub-step: half a sub-step's fall farther down for each so far. */
 static course course_of_sweeps(const impact *i)
 {
@@ -185,11 +188,10 @@ static void contact_after(const impact *i, const course *c, cairn_manifold *out)
 }
 
 /* Makes the contact after a course the pair's rows. */
-static void adopt(cairn_world *world, impact *i, const course *c, cairn_manifold *contact)
+static void adopt(cairn_world *world, impact *i, const course *c, const cairn_manifold *contact)
 {
     cairn_arbiter *arbiter = i->arbiter;
     bool persists = false;
-    contact_after(i, c, contact);
     for (int k = 0; k < arbiter->count; k++) {
         bool found = false;
         for (int j = 0; j < contact->count; j++) {
@@ -215,21 +217,20 @@ static void adopt(cairn_world *world, impact *i, const course *c, cairn_manifold
     }
 }
 
-/* Rows are straight and a turning body's surface is not: a pair that has turned while near gets new ones. */
+/*
+ * Rows are straight and a turning body's surface is not: a pair that turns while near gets those of where it will be
+ * at the end of this sub-step, which also show a corner that was beside the other's face until now.
+ */
 static void refresh(cairn_world *world, impact *i)
 {
-    course now = course_until(i, 0);
-    bool near = false;
-    if (size_of(now.turn_a) + size_of(now.turn_b) < TURNED) {
+    cairn_manifold contact;
+    if (size_of(cairn_offset_from_motion(i->a->w)) + size_of(cairn_offset_from_motion(i->b->w)) < TURNING) {
         return;
     }
-    for (int k = 0; k < i->arbiter->count; k++) {
-        const cairn_row *row = &i->arbiter->rows[k];
-        near = near || cairn_motion_add(row->gap > 0 ? row->gap : 0, opened(i, row, &now)) < NEAR;
-    }
-    if (near) {
-        cairn_manifold contact;
-        adopt(world, i, &now, &contact);
+    course end = course_until(i, CAIRN_UNIT(1));
+    contact_after(i, &end, &contact);
+    if (contact.count > 0 && size_of(contact.separation) < NEAR) {
+        adopt(world, i, &end, &contact);
     }
 }
 
@@ -255,8 +256,8 @@ static bool foresee(impact *i)
         cairn_row *row = &arbiter->rows[k];
         cairn_motion u = row_velocity(i, row), separation = opened(i, row, &now);
         row->feature &= (uint16_t)~CAIRN_ROW_IN_FLIGHT;
-        if (u >= -i->threshold) {
-            row->feature |= (uint16_t)cairn_flag_if(u > 0 && u > gravity, CAIRN_ROW_IN_FLIGHT);
+        if (u >= -i->rest) {
+            row->feature |= (uint16_t)cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT);
             continue;
         }
         /* A pair that touched may have come apart by another impact in this step: then it meets only after that. */
@@ -271,7 +272,7 @@ static bool foresee(impact *i)
         separation = row->gap > 0 ? cairn_motion_add(row->gap, separation) : 0;
         separation = separation > 0 ? separation : 0;
         cairn_motion closing = cairn_motion_closing(u, gravity, separation);
-        if (closing > gravity) { /* slower than a sub-step's fall is rest, whatever the threshold */
+        if (closing > i->rest) {
             cairn_unit time = time_of(separation, cairn_motion_half(cairn_motion_add(closing, -u)));
             i->time = time < i->time ? time : i->time;
             hits = true;
@@ -284,7 +285,7 @@ static bool foresee(impact *i)
 static int measure(impact *i, const cairn_manifold *contact, const course *c)
 {
     cairn_arbiter *arbiter = i->arbiter;
-    cairn_motion gravity = pull(i), rest = i->threshold > gravity ? i->threshold : gravity;
+    cairn_motion gravity = pull(i);
     course end = course_of_sweeps(i);
     int first = -1;
     for (int k = 0; k < arbiter->count; k++) {
@@ -292,7 +293,7 @@ static int measure(impact *i, const cairn_manifold *contact, const course *c)
         cairn_motion closing = cairn_motion_unit(gravity, i->time) - row_velocity(i, row);
         cairn_motion start = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(i, row, c));
         i->closing[k] = 0;
-        if (closing <= rest || closing <= 0) {
+        if (closing <= i->rest) {
             continue;
         }
         if (cairn_motion_add(start, opened(i, row, &end)) > 2 * CLOSE) {
@@ -311,6 +312,7 @@ static bool meet(cairn_world *world, impact *i)
     for (int look = 0; look < LOOKS; look++) {
         cairn_manifold contact;
         course c = course_until(i, i->time);
+        contact_after(i, &c, &contact);
         adopt(world, i, &c, &contact);
         int first = measure(i, &contact, &c);
         if (first < 0) {
@@ -324,7 +326,7 @@ static bool meet(cairn_world *world, impact *i)
         } else if (by > CAIRN_UNIT(1.98) - i->time) {
             by = CAIRN_UNIT(1.98) - i->time;
         }
-        if (by == 0 || (to_go <= MET && -to_go <= MET)) {
+        if (by == 0 || look == LOOKS - 1 || (to_go <= MET && -to_go <= MET)) {
             break;
         }
         i->time += by;
@@ -394,6 +396,8 @@ static void strike(impact *i, cairn_motion impulse, cairn_dir nx, cairn_dir ny, 
         apply(i->a, cairn_motion_dir(a, nx), cairn_motion_dir(a, ny), cairn_twist(a, ja));
     }
     apply(i->b, cairn_motion_dir(b, nx), cairn_motion_dir(b, ny), cairn_twist(b, jb));
+    i->px = cairn_motion_add(i->px, cairn_motion_dir(impulse, nx));
+    i->py = cairn_motion_add(i->py, cairn_motion_dir(impulse, ny));
 }
 
 /* Coulomb friction of the impact, from the velocity after the normal impulse. */
@@ -421,6 +425,18 @@ static velocity velocity_of(const cairn_body *body)
     v.y = body->vy;
     v.w = body->w;
     return v;
+}
+
+/*
+ * The velocity after all of the impact's impulses, from their sum: rounded once, and what is cut off is carried to the next
+ * impact. A unit of Q4.28 is 9e-7 m/s; of a body 1e5 times as heavy as the one that hits it at 5 m/s that is 1 % of the momentum.
+ */
+static void sum_up(cairn_body *body, velocity before, cairn_motion px, cairn_motion py, cairn_share share)
+{
+    if (share != 0 && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        body->vx = cairn_motion_clamp(cairn_motion_add(before.x, cairn_motion_share_carried(px, share, &body->vx_carry)), CAIRN_SWEEP_SPEED);
+        body->vy = cairn_motion_clamp(cairn_motion_add(before.y, cairn_motion_share_carried(py, share, &body->vy_carry)), CAIRN_SWEEP_SPEED);
+    }
 }
 
 /* The change is not to be repeated by the warm start, and acts only after the impact's time. */
@@ -483,6 +499,7 @@ static impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, int su
     i.arbiter = arbiter;
     i.a = &world->bodies[arbiter->a];
     i.b = &world->bodies[arbiter->b];
+    i.px = i.py = 0;
     i.substep = substep;
     mix(&i, world);
     weigh(&i, world);
@@ -511,13 +528,39 @@ static bool is_forestalled(cairn_world *world, const impact *i)
     return false;
 }
 
+/* Which of the points that hit still close: friction may have turned the bodies back on them. */
+static bool still_closes(impact *i)
+{
+    bool any = false;
+    for (int k = 0; k < i->arbiter->count; k++) {
+        if (i->closing[k] > 0) {
+            cairn_motion closing = cairn_motion_unit(pull(i), i->time) - row_velocity(i, &i->arbiter->rows[k]);
+            i->closing[k] = closing > i->rest ? closing : 0;
+            any = any || closing > i->rest;
+        }
+    }
+    return any;
+}
+
+/* All impulses of the impact, at one moment and one place. */
+static void exchange(impact *i)
+{
+    const cairn_arbiter *arbiter = i->arbiter;
+    bool closes = true;
+    for (int n = 0; n < RUBS && closes; n++) {
+        cairn_motion first, second;
+        resolve(i, &first, &second);
+        strike(i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
+        strike(i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
+        rub(i, cairn_motion_add(first, second));
+        closes = still_closes(i);
+    }
+}
+
 static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, bool waits)
 {
     impact i = impact_of(world, arbiter, substep);
-    cairn_motion first, second;
-    if (substep > 0) {
-        refresh(world, &i);
-    }
+    refresh(world, &i);
     if (!foresee(&i)) {
         return false;
     }
@@ -527,13 +570,11 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, boo
     if (!meet(world, &i)) {
         return false;
     }
-    forget(&i);
     velocity a = velocity_of(i.a), b = velocity_of(i.b);
     i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
-    resolve(&i, &first, &second);
-    strike(&i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
-    strike(&i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
-    rub(&i, cairn_motion_add(first, second));
+    exchange(&i);
+    sum_up(i.a, a, -i.px, -i.py, arbiter->share_a);
+    sum_up(i.b, b, i.px, i.py, arbiter->share_b);
     settle(world, i.a, a, i.time, substep);
     settle(world, i.b, b, i.time, substep);
     part(world, &i);

@@ -22,6 +22,7 @@ static uint32_t mix_body(uint32_t hash, const cairn_body *body)
     hash = mix(hash, (uint32_t)body->vx);
     hash = mix(hash, (uint32_t)body->vy);
     hash = mix(hash, (uint32_t)body->w);
+    hash = mix(hash, (uint32_t)(uint16_t)body->vx_carry << 16 | (uint16_t)body->vy_carry);
     return mix(hash, (uint32_t)(body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) << 16 | body->rest);
 }
 

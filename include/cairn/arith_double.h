@@ -21,6 +21,7 @@ typedef double cairn_factor;
 typedef double cairn_wide;
 typedef double cairn_push;
 typedef double cairn_area;
+typedef uint8_t cairn_carry;
 typedef uint8_t cairn_residue; /* nothing lies below a double's last bit */
 
 #define CAIRN_PI 3.14159265358979323846
@@ -149,6 +150,11 @@ static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { retur
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
+static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
+{
+    *carry = 0;
+    return a * s;
+}
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f) { return a * f; }
 
 static inline cairn_unit cairn_motion_fraction(cairn_motion part, cairn_motion whole)

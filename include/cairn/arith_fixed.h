@@ -24,6 +24,7 @@ typedef int32_t cairn_share;
 typedef int32_t cairn_factor;
 typedef int64_t cairn_push;
 typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
+typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.43: half a unit of Q4.28 at most */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
@@ -316,6 +317,14 @@ static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { r
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {
     return s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
+}
+/* The same with what was cut off before added, and what is cut off now kept. */
+static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
+{
+    int64_t exact = (int64_t)a * s + (int64_t)*carry * 32768;
+    cairn_motion whole = (cairn_motion)((exact + 536870912) >> 30);
+    *carry = (cairn_carry)((exact - (int64_t)whole * 1073741824) >> 15);
+    return whole;
 }
 /* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)

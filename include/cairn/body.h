@@ -57,6 +57,7 @@ typedef struct cairn_body {
     cairn_motion dx, dy, dw;
     cairn_real x, y; /* centre of mass */
     cairn_residue x_residue, y_residue;
+    cairn_carry vx_carry, vy_carry; /* of impacts, see bounce.c */
     cairn_angle angle;
     cairn_unit cosine, sine;
     cairn_real extent_x, extent_y; /* half sizes of the bounding box, with the margin of this step */

@@ -13,6 +13,8 @@ static const cairn_material elastic = CAIRN_MATERIAL_BOUNCING(0, 0, 1, 0);
 static const cairn_material grippy = CAIRN_MATERIAL_BOUNCING(0.2, 0.2, 1, 0);
 static const cairn_material sticky = CAIRN_MATERIAL_BOUNCING(10, 10, 0.5, 0);
 
+static const cairn_material bouncing_rough = CAIRN_MATERIAL_BOUNCING(0.5, 0.5, 0.5, 0);
+
 void setUp(void) { open_yard(CAIRN_F(-10)); }
 void tearDown(void) {}
 
@@ -401,6 +403,102 @@ void test_a_gripping_impact_leaves_the_ball_rolling(void)
     run(60);
     ASSERT_NEAR_VEC2(0.003, 2, 1, cairn_body_velocity(world, id));
     ASSERT_NEAR(0.006, -4, spin_of(id));
+}
+
+/* ---- momentum ---- */
+
+/* A hexagon and a box meet off centre, both spinning, with friction: what one loses, the other gets. */
+static void assert_free_collision(const cairn_material *material)
+{
+    static const cairn_shape plank = CAIRN_BOX(CAIRN_F(1), CAIRN_F(0.5));
+    open_yard(0);
+    cairn_body_def def = def_at(&plank, CAIRN_F(-1.5), CAIRN_F(0.2));
+    def.material = material;
+    def.velocity = at(CAIRN_F(3), CAIRN_F(0.5));
+    def.angular_velocity = CAIRN_F(4);
+    cairn_body_id first = make(&def);
+    def = def_at(&box, CAIRN_F(1.5), CAIRN_F(-0.2));
+    def.material = material;
+    def.angle = CAIRN_DEGREES(30);
+    def.velocity = at(CAIRN_F(-2), 0);
+    def.angular_velocity = CAIRN_F(-3);
+    cairn_body_id second = make(&def);
+    run(60);
+    /* m = 0.5 and 1, I = 0.5 1.25 / 12 and 1 / 6 */
+    ASSERT_NEAR(0.0002, 0.5 * 3 - 2, vx_of(first) / 2 + vx_of(second));
+    ASSERT_NEAR(0.0002, 0.5 * 0.5, vy_of(first) / 2 + vy_of(second));
+    cairn_vec2 p = cairn_body_center(world, first), q = cairn_body_center(world, second);
+    cairn_real orbit = (cairn_real_mul(p.x, vy_of(first)) - cairn_real_mul(p.y, vx_of(first))) / 2
+                     + cairn_real_mul(q.x, vy_of(second)) - cairn_real_mul(q.y, vx_of(second));
+    cairn_real spin = cairn_real_mul(CAIRN_F(0.5 * 1.25 / 12), spin_of(first)) + spin_of(second) / 6;
+    cairn_real before = CAIRN_F(0.5 * (-1.5 * 0.5 - 0.2 * 3) - 0.2 * 2 + 4 * 0.5 * 1.25 / 12 - 3.0 / 6);
+    ASSERT_NEAR(0.0006, 0, orbit + spin - before); /* 1e-4 of the sum of its parts */
+}
+
+void test_a_free_collision_keeps_momentum_and_angular_momentum(void)
+{
+    static const cairn_material dull = CAIRN_MATERIAL_BOUNCING(0.4, 0.4, 0, 0);
+    assert_free_collision(&grippy);
+    assert_free_collision(&sticky);
+    assert_free_collision(&dull);
+}
+
+/* A heavy ball, 1e4 times the mass, is hit 64 times from one side: it gets what the light ones lose, to 0.1 %. */
+void test_a_heavy_body_feels_each_of_many_light_blows(void)
+{
+    open_yard(0);
+    cairn_body_def def = def_at(&ball, 0, 0);
+    def.material = &elastic;
+    def.density = cairn_wide_from_int(10000);
+    cairn_body_id heavy = make(&def);
+    for (int i = 0; i < 64; i++) {
+        cairn_body_id light = put_of(&ball, &elastic, CAIRN_F(-1.02) + x_of(heavy), y_of(heavy));
+        ASSERT_OK(cairn_body_set_velocity(world, light, at(CAIRN_F(5), 0)));
+        run(2);
+        TEST_ASSERT_TRUE(vx_of(light) < CAIRN_F(-4.8));
+        ASSERT_OK(cairn_body_destroy(world, light));
+    }
+    ASSERT_NEAR(0.001 * 0.063592, 0.063592, vx_of(heavy)); /* 5 (1 - (1 - 2 / 10001)^64) */
+}
+
+/* ---- rest ---- */
+
+/* Piles of what bounces rest as others do. */
+void test_a_stack_of_bouncing_boxes_comes_to_rest(void)
+{
+    cairn_body_id ids[5];
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    for (int i = 0; i < 5; i++) {
+        ids[i] = put_of(&box, &bouncing_rough, 0, CAIRN_F(0.52) + CAIRN_F(1.02) * i);
+    }
+    run(600);
+    for (int i = 0; i < 5; i++) {
+        ASSERT_NEAR(0.005, 0.5 + i, y_of(ids[i]));
+        ASSERT_NEAR(0.002, 0, x_of(ids[i]));
+        ASSERT_NEAR(LSB, 0, vy_of(ids[i]));
+        ASSERT_NEAR(LSB, 0, spin_of(ids[i]));
+    }
+}
+
+/* A spinning square falls on its corners: nothing of it goes through the floor, it gains no energy and comes to rest. */
+void test_a_spinning_box_bounces_and_comes_to_rest(void)
+{
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    cairn_body_def def = def_at(&box, 0, CAIRN_F(2));
+    def.material = &bouncing_rough;
+    def.angular_velocity = CAIRN_F(30);
+    cairn_body_id id = make(&def);
+    cairn_real highest = CAIRN_F(2 * 10 + 900.0 / 12);
+    for (int i = 0; i < 900; i++) {
+        run(1);
+        cairn_vec2 v = cairn_body_velocity(world, id);
+        cairn_real w = spin_of(id);
+        cairn_real energy = (cairn_real_mul(v.x, v.x) + cairn_real_mul(v.y, v.y)) / 2 + cairn_real_mul(w, w) / 12 + 10 * y_of(id);
+        TEST_ASSERT_TRUE(energy <= highest + CAIRN_F(0.02));
+        TEST_ASSERT_TRUE(y_of(id) > CAIRN_F(0.48));
+    }
+    ASSERT_NEAR(0.01, 0, vy_of(id));
+    ASSERT_NEAR(0.02, 0, spin_of(id));
 }
 
 /* ---- many ---- */

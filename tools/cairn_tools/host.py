@@ -188,9 +188,10 @@ class World:
             self._made[key] = of(self._checked(key[0], *(arguments or key[1:])))
         return self._made[key]
 
-    def material(self, static: float, kinetic: float | None = None, bounce: float = 0.0, threshold: float = 0.0) -> int:
-        """Kinetic friction is the static one unless given."""
-        return self._checked("material", static, static if kinetic is None else kinetic, bounce, threshold)
+    def material(self, static: float, kinetic: float | None = None, bounce: float | None = None, threshold: float = 0.0) -> int:
+        """Kinetic friction is the static one unless given. Without a bounce, not even 0, impacts are left to the sweeps."""
+        kinetic, bounce = static if kinetic is None else kinetic, -1.0 if bounce is None else bounce
+        return self._checked("material", static, kinetic, bounce, threshold)
 
     # Bodies
 
@@ -337,7 +338,7 @@ def build(scene: Scene, arithmetic: str = "q16") -> tuple[World, list[int]]:
 
 def _scene_material(world: World, scene: Scene, name: str) -> int:
     m = scene.material(name)
-    return world.material(m.static_friction, m.kinetic_friction, m.restitution, m.restitution_threshold)
+    return world.material(m.static_friction, m.kinetic_friction, m.restitution or None, m.restitution_threshold)
 
 
 def _scene_shape(world: World, shape: scene_model.Shape) -> Shape:

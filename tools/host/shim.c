@@ -41,6 +41,7 @@ static cairn_wide wide_of(double x) { return x; }
 static double from_real(cairn_real x) { return x; }
 static double from_wide(cairn_wide x) { return x; }
 static double from_motion(cairn_motion x) { return x; }
+static double from_velocity(cairn_motion v, cairn_carry carry) { return v + 0.0 * carry; }
 static double from_coordinate(cairn_real x, cairn_residue residue) { return x + 0.0 * residue; }
 static double from_angle(cairn_angle x) { return remainder(x, 2 * PI); }
 static cairn_factor factor_of(double x) { return x; }
@@ -62,6 +63,7 @@ static cairn_wide wide_of(double x)
 static double from_real(cairn_real x) { return x / 65536.0; }
 static double from_wide(cairn_wide x) { return ldexp((double)x.mantissa, x.exponent); }
 static double from_motion(cairn_motion x) { return x / 268435456.0; }
+static double from_velocity(cairn_motion v, cairn_carry carry) { return v / 268435456.0 + carry / 8796093022208.0; }
 static double from_coordinate(cairn_real x, cairn_residue residue) { return x / 65536.0 + residue / 268435456.0; }
 static double from_angle(cairn_angle x) { return x * (PI / 2147483648.0); }
 
@@ -280,9 +282,9 @@ int shim_material(shim_world *w, double static_friction, double kinetic_friction
     if (item != NULL) {
         item->static_friction = factor_of(static_friction);
         item->kinetic_friction = factor_of(kinetic_friction);
-        item->restitution = factor_of(restitution);
+        item->restitution = restitution > 0 ? factor_of(restitution) : 0;
         item->threshold = real_of(threshold);
-        item->bounce = restitution > 0 ? &cairn_bounce : NULL;
+        item->bounce = restitution >= 0 ? &cairn_bounce : NULL;
     }
     return keep(&w->materials, item);
 }
@@ -390,8 +392,8 @@ static void state(shim_world *w, cairn_body_id id, double *out)
     out[0] = from_coordinate(body->x, body->x_residue);
     out[1] = from_coordinate(body->y, body->y_residue);
     out[2] = from_angle(body->angle);
-    out[3] = from_motion(body->vx) * rate;
-    out[4] = from_motion(body->vy) * rate;
+    out[3] = from_velocity(body->vx, body->vx_carry) * rate;
+    out[4] = from_velocity(body->vy, body->vy_carry) * rate;
     out[5] = from_motion(body->w) * rate * from_wide(body->inverse_gyration);
 }
 
