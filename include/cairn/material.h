@@ -20,7 +20,7 @@ extern const cairn_bounce_class cairn_bounce;
 /*
  * static_friction, kinetic_friction: Coulomb's coefficients, 0 to 64; kinetic at most static.
  * restitution: 0 (no rebound) to 1 (no loss). A pair takes the larger of the two.
- * threshold: approach speed in m/s below which the pair does not rebound; may be 0. (On the ground, what gravity gives
+ * threshold: approach speed in m/s below which the pair does not rebound; may be 0. (What gravity gives
  * in a sub-step is always rest.) A pair takes the smaller of those of its bouncing materials.
  * Pairs take the geometric mean of the frictions.
  */
@@ -28,7 +28,7 @@ typedef struct cairn_material {
     cairn_factor static_friction, kinetic_friction;
     cairn_factor restitution;
     cairn_real threshold;
-    const cairn_bounce_class *bounce; /* &cairn_bounce where restitution > 0, else null */
+    const cairn_bounce_class *bounce; /* &cairn_bounce where restitution > 0, or impacts are to keep momentum exactly; else null */
 } cairn_material;
 
 /* Initialisers from plain numbers. */
