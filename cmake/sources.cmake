@@ -29,6 +29,7 @@ set(CAIRN_SOURCES
     src/shape_polygon.c
     src/sleep.c
     src/solver_slides.c
+    src/hold.c
     src/solver_soft.c
     src/spring.c
     src/spring_map.c

@@ -166,6 +166,17 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)) {
         return;
     }
+    uint16_t place = place_of(world, key_of(a, b));
+    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
+    if (arbiter != NULL && (arbiter->a != a || arbiter->b != b)) {
+        arbiter = NULL;
+    }
+    if (arbiter != NULL && cairn_arbiter_holds(world, arbiter)) {
+        bool touches = arbiter->rows[0].gap <= 0 || arbiter->rows[1].gap <= 0;
+        arbiter->flags |= (uint8_t)(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
+        world->uneven |= arbiter->block & CAIRN_BLOCK_UNEVEN;
+        return;
+    }
     cairn_manifold manifold;
     if ((body_a->flags | body_b->flags) & CAIRN_BODY_FAST) {
         world->continuous->meet(world, body_a, body_b, &manifold);
@@ -179,9 +190,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     if (manifold.count == 0) {
         return;
     }
-    uint16_t place = place_of(world, key_of(a, b));
-    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
-    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
+    if (arbiter == NULL) {
         arbiter = insert(world, place, a, b);
         if (arbiter == NULL) {
             return;
@@ -311,6 +320,7 @@ void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor)
         arbiter->friction_impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->friction_impulse, factor), CAIRN_IMPULSE_MAX);
         for (int i = 0; i < 2; i++) {
             arbiter->rows[i].impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->rows[i].impulse, factor), CAIRN_IMPULSE_MAX);
+            arbiter->rows[i].load = cairn_motion_clamp(cairn_motion_scale(arbiter->rows[i].load, factor), CAIRN_IMPULSE_MAX);
         }
     }
 }

@@ -194,6 +194,16 @@ static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t
 /* Does this step's motion carry the body further than a quarter of its smallest half size? */
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
 
+/* ---- hold.c: contacts at rest ---- */
+/* At the end of the step: follow the points of a contact by the motion of its bodies, without looking at their shapes. */
+void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter);
+/* Do the rows of the step before serve for this one? */
+bool cairn_arbiter_holds(const cairn_world *world, const cairn_arbiter *arbiter);
+/* From here on nothing is known of the contact's past. */
+void cairn_arbiter_let_go(cairn_arbiter *arbiter);
+/* Of a row that is made anew: what slipped before, if it is known. */
+void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
+
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
 /* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
@@ -222,7 +232,7 @@ static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap
 /* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
 #define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */
 #define CAIRN_SOFT_MASS CAIRN_RATIO(0.94785)          /* of the effective mass */
-#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(0.05215)       /* of the accumulated impulse that is given back */
+#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(854.0 / 16384) /* of the accumulated impulse that is given back */
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
 #define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.49)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */

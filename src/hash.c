@@ -30,8 +30,11 @@ static uint32_t mix_arbiter(uint32_t hash, const cairn_arbiter *arbiter)
 {
     hash = mix(hash, (uint32_t)arbiter->a << 16 | arbiter->b);
     hash = mix(hash, (uint32_t)arbiter->friction_impulse);
+    hash = mix(hash, (uint32_t)arbiter->slip);
     for (int i = 0; i < arbiter->count; i++) {
         hash = mix(hash, (uint32_t)arbiter->rows[i].impulse);
+        hash = mix(hash, (uint32_t)arbiter->rows[i].load);
+        hash = mix(hash, (uint32_t)arbiter->rows[i].gap);
         hash = mix(hash, (uint32_t)arbiter->exponent << 16 | arbiter->rows[i].feature);
     }
     return hash;

@@ -50,15 +50,18 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
         cairn_row *row = &arbiter->rows[i];
         row->feature = manifold->points[i].feature;
         row->impulse = 0;
+        row->load = 0;
         for (int j = 0; j < old_count; j++) {
             if (old[j].feature == row->feature && !cairn_row_came_flying(&old[j])) {
                 row->impulse = old[j].impulse;
+                row->load = old[j].load;
                 kept = true;
             }
         }
     }
     if (!kept) {
         arbiter->friction_impulse = 0;
+        arbiter->slip = arbiter->pull = 0;
     }
     arbiter->count = (uint8_t)manifold->count;
 }
@@ -106,4 +109,5 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     arbiter->friction_lever_a = lever(a, height - to_surface);
     arbiter->friction_lever_b = lever(b, height + to_surface - b_height);
     arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    cairn_arbiter_take_hold(world, arbiter);
 }

@@ -52,7 +52,7 @@ static inline cairn_motion biased(const cairn_body *a, const cairn_body *b, cons
     if (row->gap > 0) {
         return biased_apart(a, b, arbiter, row, u);
     }
-    return pressed(row->impulse - cairn_motion_ratio(u + row->gap, row->soft_mass) - cairn_motion_ratio(row->impulse, CAIRN_SOFT_IMPULSE));
+    return pressed(row->impulse - cairn_motion_ratio(u + row->gap, row->soft_mass) - cairn_motion_ratio(row->impulse - row->load, CAIRN_SOFT_IMPULSE));
 }
 
 /* The same in the relax pass: rigid, and without any push. */
@@ -72,7 +72,7 @@ static inline cairn_motion relaxed(const cairn_body *a, const cairn_body *b, con
 static inline cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u)
 {
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
-    cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
+    cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u + arbiter->pull, arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
     if (impulse > limit || -impulse > limit) {
         cairn_motion slow = cairn_motion_half(pressure);

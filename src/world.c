@@ -2,6 +2,9 @@
 #include "engine.h"
 #include <cairn/spring.h>
 
+/* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
+#define STICK_STEPS 64
+
 /* Powers of what the sub-step decides: call after any change of rate, sub-steps, gravity or push-out. */
 static void derive(cairn_world *world)
 {
@@ -13,6 +16,7 @@ static void derive(cairn_world *world)
     world->gravity_y = cairn_diffused_of(world->gravity.y, squared);
     world->rest_limit = cairn_motion_from_real(CAIRN_REST_SPEED, world->substep);
     world->rest_damping = cairn_ratio_from_wide(cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_real(world->rate)));
+    world->stick = cairn_ratio_from_wide(cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(STICK_STEPS * world->substeps)));
     world->push_out_limit = cairn_motion_from_real(world->push_out, world->substep);
     /*
      * Within the biased pass a body holds v + beta d with d up to n v; that must stay below CAIRN_SWEEP_SPEED, and d

@@ -14,6 +14,7 @@ extern "C" {
 /* One contact point's row. Impulses are in sub-step units: impulse * h * (1/mA + 1/mB), see DESIGN.md. */
 typedef struct cairn_row {
     cairn_motion impulse; /* accumulated, never negative */
+    cairn_motion load;    /* the part of it that has rested here for long and does not sink in any more, see hold.c */
     cairn_motion gap;     /* at the start of the step: the separation where positive, else the push-out per sub-step */
     cairn_lever lever_a, lever_b;
     cairn_ratio mass;      /* effective mass over the reduced mass */
@@ -28,12 +29,16 @@ typedef struct cairn_arbiter {
     cairn_dir normal_x, normal_y;
     uint8_t block;    /* see block.c: the number of its block, and whether the masses differ much */
     uint8_t exponent; /* of all its impulses: times 2^exponent; 0 outside of blocks */
+    cairn_heading heading_a; /* of the bodies when the rows were made */
     cairn_share share_a, share_b; /* (1/m) / (1/mA + 1/mB): what each takes of a relative velocity change */
     cairn_row rows[2];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
+    cairn_motion slip; /* how far the surfaces have slipped since they stuck, */
+    cairn_motion pull; /* and how fast they are pulled back, a sub-step */
     cairn_lever friction_lever_a, friction_lever_b;
     cairn_ratio friction_mass;
     uint16_t block_mark; /* tells whether the block is the one of the step before */
+    cairn_heading heading_b;
     cairn_factor static_friction, kinetic_friction;
 } cairn_arbiter;
 

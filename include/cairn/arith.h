@@ -12,6 +12,7 @@
  * cairn_offset  Q10.22               vectors between bodies and their vertices (+-512 m, step 2.4e-7)
  * cairn_unit    Q2.30                components of unit vectors and rotations
  * cairn_dir     Q1.14 in 16 bits     the same inside of the solver's sweeps
+ * cairn_heading 16 bits of an angle  which way a body looked, to compare (step 9.6e-5 rad)
  * cairn_lever   Q2.13 in 16 bits     lever arm over radius of gyration (+-2.83)
  * cairn_ratio   Q1.14 in 16 bits     effective masses and scales in [0, 2)
  * cairn_share   Q2.30                a body's share of a relative velocity change, in [0, 1]

@@ -14,6 +14,7 @@ typedef double cairn_motion;
 typedef double cairn_offset;
 typedef double cairn_unit;
 typedef double cairn_dir;
+typedef double cairn_heading;
 typedef double cairn_lever;
 typedef double cairn_ratio;
 typedef double cairn_share;
@@ -54,6 +55,8 @@ static inline cairn_real cairn_real_divide(cairn_real a, cairn_real b)
 static inline cairn_real cairn_real_sqrt(cairn_real x) { return x > 0 ? sqrt(x) : 0; }
 static inline cairn_real cairn_real_length(cairn_real x, cairn_real y) { return sqrt(x * x + y * y); }
 
+static inline cairn_heading cairn_heading_of(cairn_angle a) { return a; }
+static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit) { return fabs(a - heading) <= limit; }
 static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return a + b; }
 static inline void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine)
 {
@@ -110,6 +113,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
     *x += by;
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x / 2; }
+static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return x / 8; }
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s) { return x * c + y * s; }
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
 {

@@ -18,6 +18,7 @@ typedef int32_t cairn_motion;
 typedef int32_t cairn_offset;
 typedef int32_t cairn_unit;
 typedef int16_t cairn_dir;
+typedef uint16_t cairn_heading;
 typedef int16_t cairn_lever;
 typedef int16_t cairn_ratio;
 typedef int32_t cairn_share;
@@ -166,6 +167,12 @@ cairn_real cairn_real_length(cairn_real x, cairn_real y);
 
 /* ---- angles ---- */
 
+/* A coarse angle in 16 bits, and whether an angle is near it: within the limit, and 0.0001 rad more. */
+static inline cairn_heading cairn_heading_of(cairn_angle a) { return (uint16_t)((uint32_t)a >> 16); }
+static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit)
+{
+    return (uint32_t)a - ((uint32_t)heading << 16) + (uint32_t)limit <= 2 * (uint32_t)limit;
+}
 static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
 /* Cosine and sine, each within 2.7 units of Q2.30; exact at quarter turns. */
 void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine);
@@ -254,6 +261,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
     *x = cairn_clamp64((int64_t)*x + (by >> 6) + (low >> 12));
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x >> 1; }
+static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return (x + 4) >> 3; }
 /* x c + y s, rounded; saturates */
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s)
 {

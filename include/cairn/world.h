@@ -105,6 +105,7 @@ typedef struct cairn_world {
     cairn_motion speed_limit, spin_limit;      /* metres per sub-step */
     cairn_motion rest_limit;                   /* slower bodies may be calmed, see motion.c */
     cairn_ratio rest_damping;                  /* by this share a step */
+    cairn_ratio stick;                         /* of what has slipped, taken back in a sub-step, see hold.c */
 
     cairn_world_stats stats;
 } cairn_world;

@@ -109,6 +109,8 @@ void test_a_sliding_box_stops_after_its_kinetic_energy_is_rubbed_off(void)
     cairn_body_id id = slide(&cairn_material_default, &cairn_material_default, CAIRN_F(3));
     run(120);
     ASSERT_NEAR(0.002, -10 + 9 / (2 * 0.4 * 10) - 3.0 / 480, x_of(id));
+    run(480); /* its tilt goes back while its load settles, see hold.c */
+    ASSERT_NEAR(0.002, -10 + 9 / (2 * 0.4 * 10) - 3.0 / 480, x_of(id));
     ASSERT_NEAR(LSB, 0, vx_of(id));
 }
 
@@ -162,7 +164,7 @@ static cairn_body_id put_on_slope(cairn_angle tilt, const cairn_material *materi
     return make(&def);
 }
 
-/* The friction angle of mu = 0.5 is 26.57 degrees. What moves is the settling of the contact, once. */
+/* The friction angle of mu = 0.5 is 26.57 degrees. What moves is the settling of the contact, once, and that is taken back. */
 void test_a_box_on_a_slope_below_the_friction_angle_stays(void)
 {
     cairn_body_id id = put_on_slope(CAIRN_DEGREES(26), &cairn_material_default);
@@ -170,9 +172,12 @@ void test_a_box_on_a_slope_below_the_friction_angle_stays(void)
     run(30);
     cairn_vec2 before = cairn_body_position(world, id);
     ASSERT_NEAR(0.002, 0, cairn_real_length(before.x - start.x, before.y - start.y));
-    run(270);
+    run(570);
+    before = cairn_body_position(world, id);
+    ASSERT_NEAR(0.0001, 0, cairn_real_length(before.x - start.x, before.y - start.y));
+    run(300);
     cairn_vec2 after = cairn_body_position(world, id);
-    ASSERT_NEAR(0.0001, 0, cairn_real_length(after.x - before.x, after.y - before.y));
+    ASSERT_NEAR(LSB, 0, cairn_real_length(after.x - before.x, after.y - before.y));
 }
 
 void test_a_ball_that_cannot_turn_stays_on_the_same_slope(void)

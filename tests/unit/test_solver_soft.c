@@ -111,14 +111,16 @@ void test_collisions_do_not_gain_energy(void)
 
 /*
  * Soft contacts give way: by h^2 F / 2 m under a force F, with m the reduced mass of the pair. For a box on the floor
- * that is g h^2 / 2 = 0.087 mm at h = 1/240 s.
+ * that is g h^2 / 2 = 0.087 mm at h = 1/240 s. Of a load that rests for seconds an eighth goes on pressing, see hold.c.
  */
 void test_a_resting_box_sinks_in_by_a_tenth_of_a_millimetre(void)
 {
     put_floor();
     cairn_body_id id = put(&box, 0, CAIRN_F(0.5));
-    run(300);
+    run(10);
     ASSERT_NEAR(0.00002, 0.5 - 0.000087, y_of(id));
+    run(590);
+    ASSERT_NEAR(0.00002, 0.5 - 0.000011, y_of(id));
     ASSERT_NEAR(LSB, 0, x_of(id));
     ASSERT_NEAR(2 * LSB, 0, vy_of(id));
     ASSERT_NEAR(2 * LSB, 0, spin_of(id));
@@ -128,7 +130,7 @@ void test_rest_is_rest(void)
 {
     put_floor();
     cairn_body_id low = put(&box, CAIRN_F(0.1), CAIRN_F(0.5)), high = put(&plank, CAIRN_F(-0.2), CAIRN_F(1.25));
-    run(300);
+    run(600);
     cairn_vec2 low_before = cairn_body_position(world, low), high_before = cairn_body_position(world, high);
     cairn_angle angle_before = cairn_body_angle(world, high);
     run(300);

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .. import scene
-from ..host import ANGLE, X, Y
+from ..host import ANGLE, KINEMATIC, X, Y
 from .build import floor, pyramid, stack
 from .measure import Outlines, fastest, moved
 from .model import Bench, Figure, case, most, stretch
@@ -83,6 +83,56 @@ def pyramid_of(bench: Bench, boxes: int) -> Iterator[Figure]:
     yield most("drift", np.abs(states[-1, :, X] - states[0, :, X]).max(), 0.0005, "m")
     yield most("speed in the last second", speed, 1e-4, "m/s")
     yield stretch("speed", speed, 0.0, "m/s")
+
+
+def _still(bench_world: object, steps: int = MINUTE) -> Iterator[Figure]:
+    """The figures of what stands on its own for a minute."""
+    states, depth = watched(bench_world, steps, every=20)
+    yield most("penetration", depth, 0.003, "m")
+    yield most("drift", np.abs(states[-1, :, X] - states[0, :, X]).max(), 0.0005, "m")
+    yield most("speed in the last second", fastest(states[-3:]), 1e-4, "m/s")
+
+
+@case("wall of bricks, {rows} rows of ten in bond, 60 s", over={"rows": [10]}, quick=True)
+def brick_wall(bench: Bench, rows: int) -> Iterator[Figure]:
+    world = bench.world()
+    floor(world)
+    brick, half = world.box(1.0, 0.5), world.box(0.495, 0.5)
+    for row in range(rows):
+        y, shift = 0.25 + 0.5 * row, 0.5 * (row % 2)
+        for k in range(10 - row % 2):
+            world.add(brick, 1.01 * (k - 4.5 + shift), y)
+        if row % 2:
+            for side in (-1, 1):
+                world.add(half, side * (1.01 * 4.5 + 0.2525), y)
+    yield from _still(world)
+
+
+@case("eight hexagons on one another, 60 s", quick=True)
+def hexagons(bench: Bench) -> Iterator[Figure]:
+    world = bench.world()
+    floor(world)
+    stone = world.regular(6, 0.5)
+    rise = math.sqrt(3) / 2
+    for k in range(8):
+        world.add(stone, 0.0, rise * (k + 0.5))
+    yield from _still(world)
+
+
+@case(
+    "stack of 8 on a platform moving at {speed} m/s, 20 s: goes with it within 1 mm",
+    over={"speed": [0.03, 0.5]},
+    quick=True,
+)
+def platform(bench: Bench, speed: float) -> Iterator[Figure]:
+    world = bench.world()
+    deck = world.add(world.box(6.0, 0.4), 0.0, -0.2, velocity=(speed, 0.0), kind=KINEMATIC)
+    box = world.box(1.0, 1.0)
+    bodies = [world.add(box, 0.0, k + 0.5, velocity=(speed, 0.0)) for k in range(8)]
+    states = world.record(1200, EVERY, [deck, *bodies])
+    apart = states[:, 1:, X] - states[:, :1, X]
+    yield most("left behind", np.abs(apart[-1] - apart[0]).max(), 0.001, "m")
+    yield most("against it in the last second", np.abs(apart[-1] - apart[-SECOND]).max(), 1e-4, "m")
 
 
 @case("the slides' tower: no centre more than 50 mm from its place, penetration at most 5 mm, at rest", quick=True)

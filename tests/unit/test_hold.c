@@ -1,0 +1,140 @@
+/* Contacts at rest: rows that serve again, slips that are taken back, loads that no longer sink in. */
+#define YARD_BODIES 24
+#define YARD_ARBITERS 40
+# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+
+static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
+static const cairn_shape ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1));
+
+void setUp(void)
+{
+    open_yard(CAIRN_F(-10));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+}
+void tearDown(void) {}
+
+static cairn_body_id stack(int count)
+{
+    cairn_body_id top = cairn_body_id_null();
+    for (int i = 0; i < count; i++) {
+        top = put(&box, 0, CAIRN_F(0.5) + i * CAIRN_F(1));
+    }
+    return top;
+}
+
+/* Its soft contacts would let it lean by 30 mm, and one of 23 fall. */
+void test_a_stack_of_twenty_stands_straight_and_still(void)
+{
+    cairn_body_id top = stack(20);
+    run(3600);
+    ASSERT_NEAR(0.001, 0, x_of(top));
+    ASSERT_NEAR(0.005, 19.5, y_of(top));
+    ASSERT_NEAR(LSB, 0, vx_of(top));
+}
+
+void test_a_push_that_friction_stops_at_once_is_taken_back(void)
+{
+    cairn_body_id id = put(&box, 0, CAIRN_F(0.5));
+    run(60);
+    ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(0.08), 0)));
+    run(2);
+    TEST_ASSERT_TRUE(x_of(id) > CAIRN_F(0.0001));
+    run(598);
+    ASSERT_NEAR(0.00005, 0, x_of(id));
+}
+
+void test_a_box_that_slid_stays_where_it_stopped(void)
+{
+    cairn_body_id id = put(&box, 0, CAIRN_F(0.5));
+    ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(2), 0)));
+    run(60);
+    cairn_real stopped = x_of(id);
+    run(600);
+    ASSERT_NEAR(0.0003, 0, x_of(id) - stopped);
+}
+
+void test_a_load_taken_away_throws_nothing_up(void)
+{
+    cairn_body_id light = put(&box, 0, CAIRN_F(0.5));
+    cairn_body_def def = def_at(&box, 0, CAIRN_F(1.5));
+    def.density = cairn_wide_from_int(50);
+    cairn_body_id heavy = make(&def);
+    run(900);
+    ASSERT_OK(cairn_body_destroy(world, heavy));
+    for (int i = 0; i < 30; i++) {
+        run(1);
+        TEST_ASSERT_TRUE(y_of(light) < CAIRN_F(0.502));
+    }
+    run(300);
+    ASSERT_NEAR(0.0002, 0.5, y_of(light));
+}
+
+void test_a_box_moved_by_the_game_is_not_pulled_back(void)
+{
+    cairn_body_id id = put(&box, 0, CAIRN_F(0.5));
+    run(300);
+    ASSERT_OK(cairn_body_set_transform(world, id, at(CAIRN_F(0.001), CAIRN_F(0.5)), 0));
+    run(300);
+    ASSERT_NEAR(0.00005, 0.001, x_of(id));
+}
+
+void test_a_box_on_the_edge_of_its_support_falls_when_that_moves_away(void)
+{
+    static const cairn_shape shelf = CAIRN_BOX(CAIRN_F(2), CAIRN_F(0.2));
+    cairn_body_def def = def_at(&shelf, CAIRN_F(-10), CAIRN_F(3));
+    def.type = CAIRN_KINEMATIC;
+    cairn_body_id support = make(&def), id = put(&box, CAIRN_F(-10), CAIRN_F(3.6));
+    run(300);
+    ASSERT_NEAR(0.001, 3.6, y_of(id));
+    ASSERT_OK(cairn_body_set_velocity(world, support, at(0, CAIRN_F(-8))));
+    run(1);
+    ASSERT_OK(cairn_body_set_velocity(world, support, at(CAIRN_F(-20), 0)));
+    run(120);
+    ASSERT_NEAR(0.01, 0.5, y_of(id));
+}
+
+/* A rest that goes by absolute speeds would be left behind. */
+void test_a_stack_on_a_slow_platform_goes_with_it(void)
+{
+    static const cairn_shape deck = CAIRN_BOX(CAIRN_F(4), CAIRN_F(0.5));
+    cairn_body_def def = def_at(&deck, 0, CAIRN_F(2));
+    def.type = CAIRN_KINEMATIC;
+    def.velocity = at(CAIRN_F(0.03), 0);
+    cairn_body_id platform = make(&def);
+    put(&box, 0, CAIRN_F(2.75));
+    cairn_body_id top = put(&box, 0, CAIRN_F(3.75));
+    run(600);
+    ASSERT_NEAR(0.001, 0, x_of(top) - x_of(platform));
+}
+
+void test_a_stack_at_rest_outlives_a_change_of_the_substeps(void)
+{
+    cairn_body_id top = stack(6);
+    run(300);
+    ASSERT_OK(cairn_world_set_substeps(world, 8));
+    run(300);
+    ASSERT_OK(cairn_world_set_substeps(world, 2));
+    run(300);
+    ASSERT_NEAR(0.001, 0, x_of(top));
+    ASSERT_NEAR(0.01, 5.5, y_of(top));
+}
+
+void test_a_world_with_an_allowed_penetration_looks_at_every_contact_anew(void)
+{
+    ASSERT_OK(cairn_world_set_slop(world, CAIRN_F(0.01)));
+    cairn_body_id top = stack(4);
+    run(600);
+    ASSERT_NEAR(0.05, 3.5, y_of(top));
+    ASSERT_NEAR(0.01, 0, x_of(top));
+}
+
+void test_a_heading_tells_small_turns_also_across_the_wrap(void)
+{
+    cairn_heading heading = cairn_heading_of(CAIRN_RADIANS(3.1415));
+    TEST_ASSERT_TRUE(cairn_heading_is_near(heading, CAIRN_RADIANS(3.1410), CAIRN_RADIANS(0.001)));
+    TEST_ASSERT_FALSE(cairn_heading_is_near(heading, CAIRN_RADIANS(3.1390), CAIRN_RADIANS(0.001)));
+#ifndef CAIRN_DOUBLE
+    TEST_ASSERT_TRUE(cairn_heading_is_near(heading, CAIRN_RADIANS(-3.1413), CAIRN_RADIANS(0.001)));
+#endif
+    TEST_ASSERT_FALSE(cairn_heading_is_near(heading, CAIRN_RADIANS(-3.1390), CAIRN_RADIANS(0.001)));
+}
