@@ -81,6 +81,9 @@ static void open_gap(cairn_row *row, cairn_motion eightfold)
     }
 }
 
+/* Faster than twice the speed up to which bodies may come to rest? */
+static bool is_fast(const cairn_world *world, cairn_motion way) { return magnitude(way) > 2 * world->rest_limit * world->substeps; }
+
 /*
  * What slides at a speed beyond rest forgets where it stuck, until it sticks again: it stays where it comes to a stop. What sticks
  * and gives way slowly, as contacts do while a pile settles, remembers up to HOLD_SLIP and is pulled back.
@@ -88,8 +91,8 @@ static void open_gap(cairn_row *row, cairn_motion eightfold)
 static void slip_by(const cairn_world *world, cairn_arbiter *arbiter, cairn_motion way)
 {
     cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + arbiter->rows[1].impulse, arbiter->kinetic_friction);
-    bool slips = magnitude(arbiter->friction_impulse) >= limit, fast = magnitude(way) > 2 * world->rest_limit * world->substeps;
-    if (slips && (fast || arbiter->slip == LET_GO)) {
+    bool slips = magnitude(arbiter->friction_impulse) >= limit;
+    if (slips && (is_fast(world, way) || arbiter->slip == LET_GO)) {
         cairn_arbiter_let_go(arbiter);
         return;
     }
@@ -123,7 +126,11 @@ void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter)
     cairn_motion across = cairn_motion_along(by.y, -by.x, arbiter->normal_x, arbiter->normal_y);
     for (int i = 0; i < 2; i++) {
         cairn_row *row = &arbiter->rows[i];
-        open_gap(row, apart + turning(&by, row->lever_a, row->lever_b));
+        cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
+        if (is_fast(world, cairn_motion_eighth(eightfold))) {
+            arbiter->heading_a = cairn_heading_away(arbiter->heading_a); /* a blow: the shapes are to be looked at */
+        }
+        open_gap(row, eightfold);
         settle(world, row, at_rest);
     }
     slip_by(world, arbiter, cairn_motion_eighth(across + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b)));

@@ -3,7 +3,7 @@
 #include <cairn/spring.h>
 
 /* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
-#define STICK_STEPS 64
+#define STICK_STEPS 48
 
 /* Powers of what the sub-step decides: call after any change of rate, sub-steps, gravity or push-out. */
 static void derive(cairn_world *world)

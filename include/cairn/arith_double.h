@@ -56,6 +56,7 @@ static inline cairn_real cairn_real_sqrt(cairn_real x) { return x > 0 ? sqrt(x) 
 static inline cairn_real cairn_real_length(cairn_real x, cairn_real y) { return sqrt(x * x + y * y); }
 
 static inline cairn_heading cairn_heading_of(cairn_angle a) { return a; }
+static inline cairn_heading cairn_heading_away(cairn_heading heading) { return heading + 4; }
 static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit) { return fabs(a - heading) <= limit; }
 static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return a + b; }
 static inline void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine)

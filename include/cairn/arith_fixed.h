@@ -169,6 +169,8 @@ cairn_real cairn_real_length(cairn_real x, cairn_real y);
 
 /* A coarse angle in 16 bits, and whether an angle is near it: within the limit, and 0.0001 rad more. */
 static inline cairn_heading cairn_heading_of(cairn_angle a) { return (uint16_t)((uint32_t)a >> 16); }
+/* Half a turn off: near no angle that was near this. */
+static inline cairn_heading cairn_heading_away(cairn_heading heading) { return (uint16_t)(heading ^ 0x8000u); }
 static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit)
 {
     return (uint32_t)a - ((uint32_t)heading << 16) + (uint32_t)limit <= 2 * (uint32_t)limit;
