@@ -115,9 +115,11 @@ static void settle(const cairn_world *world, cairn_row *row, bool at_rest)
 void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    if (arbiter->count < 2 || world->slop != 0 || !is_within(a->dx, a->dy, a->dw, HOLD_WAY) || !is_within(b->dx, b->dy, b->dw, HOLD_WAY)
+    bool others = (arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || ((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT);
+    if (arbiter->count < 2 || others || world->slop != 0 || !is_within(a->dx, a->dy, a->dw, HOLD_WAY) || !is_within(b->dx, b->dy, b->dw, HOLD_WAY)
         || arbiter->rows[0].gap <= -world->push_out_limit || arbiter->rows[1].gap <= -world->push_out_limit) {
-        cairn_arbiter_let_go(arbiter);
+        cairn_arbiter_let_go(arbiter); /* blocks and impacts have their own ways */
+        arbiter->rows[0].load = arbiter->rows[1].load = 0;
         return;
     }
     bool at_rest = is_within(a->vx, a->vy, a->w, world->rest_limit) && is_within(b->vx, b->vy, b->w, world->rest_limit);
