@@ -226,7 +226,7 @@ static void yield(cairn_body *body, cairn_share share, cairn_motion closing, con
  * A game may set a velocity that drives a body against what it touches. It will not go that way, and the search for contacts
  * ahead must not follow it there: until the search is done, d keeps what is to be added to the velocity.
  */
-static void hold_back(cairn_world *world, const cairn_arbiter *arbiter)
+static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_motion x = b->vx - a->vx, y = b->vy - a->vy;
@@ -235,6 +235,7 @@ static void hold_back(cairn_world *world, const cairn_arbiter *arbiter)
         if (closing > DRIVEN) {
             yield(a, arbiter->share_a, -closing, arbiter);
             yield(b, arbiter->share_b, closing, arbiter);
+            cairn_arbiter_let_go(arbiter);
             world->held_back = true;
         }
     }

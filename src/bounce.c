@@ -212,8 +212,11 @@ static void adopt(cairn_world *world, impact *i, const course *c, const cairn_ma
     cairn_arbiter_prepare(world, arbiter, contact);
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
-        row->gap = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(i, row, c)); /* at the step's start */
-        row->gap = row->gap > 0 ? row->gap : JUST_APART;
+        cairn_motion separation = cairn_motion_from_offset(contact->points[k].separation);
+        cairn_motion gap = cairn_motion_add(separation, -opened(i, row, c)); /* at the step's start */
+        if (gap > 0 || separation >= -DEEP) { /* what lies deeper is pushed out as ever */
+            row->gap = gap > 0 ? gap : JUST_APART;
+        }
     }
 }
 

@@ -211,10 +211,25 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
     }
 }
 
+/* What holds b back against a, without the part along their own contact's normal: that contact is in question itself. */
+static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const cairn_manifold *contact)
+{
+    cairn_offset2 by;
+    by.x = cairn_offset_from_motion(b->dx - a->dx);
+    by.y = cairn_offset_from_motion(b->dy - a->dy);
+    if (by.x != 0 || by.y != 0) {
+        cairn_offset own = cairn_offset_dot(by.x, by.y, contact->normal_x, contact->normal_y);
+        by.x -= cairn_offset_mul(own, contact->normal_x);
+        by.y -= cairn_offset_mul(own, contact->normal_y);
+    }
+    return by;
+}
+
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_offset x = cairn_offset_from_motion(b->vx - a->vx + b->dx - a->dx) * world->substeps;
-    cairn_offset y = cairn_offset_from_motion(b->vy - a->vy + b->dy - a->dy) * world->substeps;
+    cairn_offset2 held = held_back(a, b, out);
+    cairn_offset x = (cairn_offset_from_motion(b->vx - a->vx) + held.x) * world->substeps;
+    cairn_offset y = (cairn_offset_from_motion(b->vy - a->vy) + held.y) * world->substeps;
     if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
         return;
     }

@@ -108,6 +108,26 @@ void test_a_player_held_against_a_wall_of_tiles_jumps_freely(void)
     ASSERT_NEAR(0.001, 0, vy_of(id));
 }
 
+/* It comes down on a joint, with the stick still held: nothing there holds it. */
+void test_a_player_that_lands_on_a_joint_runs_on(void)
+{
+    static const cairn_shape player = CAIRN_BOX(CAIRN_F(0.6), CAIRN_F(0.9));
+    for (int k = 0; k < 12; k++) {
+        cairn_body_def def = def_at(&player, CAIRN_F(8) + k * CAIRN_F(0.02), CAIRN_F(1.2) + k * CAIRN_F(0.01));
+        def.fixed_rotation = true;
+        def.material = &ice;
+        def.velocity.y = CAIRN_F(-5);
+        cairn_body_id id = make(&def);
+        cairn_real from = x_of(id);
+        for (int i = 0; i < 60; i++) {
+            ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(3), vy_of(id))));
+            run(1);
+        }
+        ASSERT_NEAR(0.06, 3, x_of(id) - from);
+        ASSERT_OK(cairn_body_destroy(world, id));
+    }
+}
+
 void test_a_crate_lands_beyond_a_joint_as_on_one_floor(void)
 {
     cairn_body_def def = def_at(&crate, CAIRN_F(1.05), CAIRN_F(0.45));
