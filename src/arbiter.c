@@ -235,7 +235,9 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
         if (closing > DRIVEN) {
             yield(a, arbiter->share_a, -closing, arbiter);
             yield(b, arbiter->share_b, closing, arbiter);
-            cairn_arbiter_let_go(arbiter);
+            if (closing > 4 * DRIVEN) {
+                cairn_arbiter_doubt(arbiter);
+            }
             world->held_back = true;
         }
     }

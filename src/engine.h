@@ -201,6 +201,8 @@ void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter);
 bool cairn_arbiter_holds(const cairn_world *world, const cairn_arbiter *arbiter);
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);
+/* In this step its rows are to be made anew. */
+void cairn_arbiter_doubt(cairn_arbiter *arbiter);
 /* Of a row that is made anew: what slipped before, if it is known. */
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
 

@@ -35,6 +35,8 @@ void cairn_arbiter_let_go(cairn_arbiter *arbiter)
     arbiter->pull = 0;
 }
 
+void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->rows[0].gap = 2 * HOLD_GAP; }
+
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
 {
     arbiter->heading_a = cairn_heading_of(world->bodies[arbiter->a].angle);

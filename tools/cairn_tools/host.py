@@ -188,8 +188,10 @@ class World:
             self._made[key] = of(self._checked(key[0], *(arguments or key[1:])))
         return self._made[key]
 
-    def material(self, static: float, kinetic: float | None = None, bounce: float | None = None, threshold: float = 0.0) -> int:
-        """Kinetic friction is the static one unless given. Without a bounce, not even 0, impacts are left to the sweeps."""
+    def material(
+        self, static: float, kinetic: float | None = None, bounce: float | None = None, threshold: float = 0.0
+    ) -> int:
+        """Kinetic friction is the static one unless given. Without a bounce, not even 0, impacts are the sweeps'."""
         kinetic, bounce = static if kinetic is None else kinetic, -1.0 if bounce is None else bounce
         return self._checked("material", static, kinetic, bounce, threshold)
 
