@@ -232,7 +232,10 @@ static void refresh(cairn_world *world, impact *i)
     }
     course end = course_until(i, CAIRN_UNIT(1));
     contact_after(i, &end, &contact);
-    if (contact.count > 0 && size_of(contact.separation) < NEAR) {
+    /* Beyond the other's middle it would be pushed out at the far side. */
+    bool passes = contact.count > 0
+               && cairn_unit_dot(contact.normal_x, contact.normal_y, cairn_unit_from_dir(i->arbiter->normal_x), cairn_unit_from_dir(i->arbiter->normal_y)) <= 0;
+    if (contact.count > 0 && !passes && size_of(contact.separation) < NEAR) {
         adopt(world, i, &end, &contact);
     }
 }

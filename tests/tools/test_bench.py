@@ -19,7 +19,10 @@ def test_the_functions_add_up_to_the_step(stack: scene.Scene) -> None:
     # The step's own count begins before the call and ends behind it.
     assert sum(shares.functions.values()) == pytest.approx(cost.mean_instructions, rel=1e-3)
     assert sum(shares.stages.values()) == pytest.approx(sum(shares.functions.values()))
-    assert all(count > 0 for count in shares.stages.values())
+
+
+def test_every_stage_of_a_step_is_seen(stack: scene.Scene) -> None:
+    assert all(count > 0 for count in profile.measure(stack, "m3", 1, 60).stages.values())
 
 
 def test_what_the_compiler_s_own_routines_take_is_counted_too() -> None:
