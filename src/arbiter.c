@@ -208,12 +208,14 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     }
 }
 
-/* What touches and is driven together faster than this per sub-step is held: see hold_back(). */
+/* What touches and is driven together faster than this, m per sub-step, is held back: see hold_back(). */
 #define DRIVEN CAIRN_MOTION(0.0001)
+/* And faster than this, which a pile that settles does not reach, its rows are made anew. */
+#define DRIVEN_HARD CAIRN_MOTION(0.0004)
 
 static bool is_driven(cairn_motion v) { return v > DRIVEN || -v > DRIVEN; }
 
-static void yield(cairn_body *body, cairn_share share, cairn_motion closing, const cairn_arbiter *arbiter)
+static void give_way(cairn_body *body, cairn_share share, cairn_motion closing, const cairn_arbiter *arbiter)
 {
     if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
         cairn_motion by = cairn_motion_share(closing, share);
@@ -224,7 +226,7 @@ static void yield(cairn_body *body, cairn_share share, cairn_motion closing, con
 
 /*
  * A game may set a velocity that drives a body against what it touches. It will not go that way, and the search for contacts
- * ahead must not follow it there: until the search is done, d keeps what is to be added to the velocity.
+ * ahead must not follow it there: until the search is done, the bodies' dx and dy keep what is to be added to their velocities.
  */
 static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
 {
@@ -233,9 +235,9 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
     if (is_driven(x) || is_driven(y)) {
         cairn_motion closing = -cairn_motion_along(x + b->dx - a->dx, y + b->dy - a->dy, arbiter->normal_x, arbiter->normal_y);
         if (closing > DRIVEN) {
-            yield(a, arbiter->share_a, -closing, arbiter);
-            yield(b, arbiter->share_b, closing, arbiter);
-            if (closing > 4 * DRIVEN) {
+            give_way(a, arbiter->share_a, -closing, arbiter);
+            give_way(b, arbiter->share_b, closing, arbiter);
+            if (closing > DRIVEN_HARD) {
                 cairn_arbiter_doubt(arbiter);
             }
             world->held_back = true;

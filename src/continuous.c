@@ -225,6 +225,10 @@ static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const c
     return by;
 }
 
+/* The way to look along: two steps' motion, for a corner is felt a step before it is passed, and at least 4 GRAZE. */
+#define DOUBLINGS 7
+
+/* The contact of two slower bodies: not with a corner that one of them slides past. */
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_offset2 held = held_back(a, b, out);
@@ -233,7 +237,7 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
     if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
         return;
     }
-    for (int i = 0; i < 7 && (i == 0 || larger(x, y) < 4 * GRAZE); i++) {
+    for (int i = 0; i < DOUBLINGS && (i == 0 || larger(x, y) < 4 * GRAZE); i++) {
         x *= 2;
         y *= 2;
     }
