@@ -77,7 +77,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uin
     } else if (cairn_body_type_of(body_a) == CAIRN_STATIC) {
         arbiter->flags |= CAIRN_ARBITER_ON_STATIC;
     }
-    mix_materials(arbiter, body_a->material, body_b->material);
+    mix_materials(arbiter, body_a->model->material, body_b->model->material);
     share_masses(arbiter, body_a, body_b);
     return arbiter;
 }
@@ -85,7 +85,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uin
 static cairn_pose pose_of(const cairn_body *body, cairn_offset x, cairn_offset y)
 {
     cairn_pose pose;
-    pose.shape = body->shape;
+    pose.shape = body->model->shape;
     pose.x = x;
     pose.y = y;
     pose.c = body->cosine;
@@ -138,7 +138,7 @@ bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
     if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
         return false;
     }
-    if (!(body_a->layer & body_b->mask) || !(body_b->layer & body_a->mask)) {
+    if (!(body_a->model->layer & body_b->model->mask) || !(body_b->model->layer & body_a->model->mask)) {
         return false;
     }
     return !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !world->springs->kind->joined(world, a, b);
@@ -313,7 +313,7 @@ void cairn_arbiters_refresh_materials(cairn_world *world, uint16_t body)
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (!is_of_others(world, arbiter, body)) {
-            mix_materials(arbiter, world->bodies[arbiter->a].material, world->bodies[arbiter->b].material);
+            mix_materials(arbiter, world->bodies[arbiter->a].model->material, world->bodies[arbiter->b].model->material);
         }
     }
 }

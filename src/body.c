@@ -75,26 +75,22 @@ static bool is_material_valid(const cairn_material *material)
         && material->threshold >= 0 && (material->restitution == 0 || material->bounce != NULL);
 }
 
-static cairn_status check(const cairn_world *world, const cairn_body_def *def, cairn_mass_data *mass)
+static cairn_status check_model(const cairn_body_model *model, cairn_mass_data *mass)
 {
-    if (def == NULL || def->shape == NULL || def->shape->kind == NULL || def->material == NULL) {
+    if (model == NULL || model->shape == NULL || model->shape->kind == NULL || model->material == NULL) {
         return CAIRN_ERROR_NULL;
     }
-    if (world->locked) {
-        return CAIRN_ERROR_LOCKED;
-    }
-    cairn_status status = cairn_shape_measure(def->shape, mass);
+    cairn_status status = cairn_shape_measure(model->shape, mass);
     if (status != CAIRN_OK) {
         return status;
     }
-    if ((def->type != CAIRN_DYNAMIC && def->type != CAIRN_STATIC && def->type != CAIRN_KINEMATIC) || !is_material_valid(def->material)
-        || !within(def->position.x, CAIRN_WORLD_EDGE) || !within(def->position.y, CAIRN_WORLD_EDGE)
-        || !within(def->gravity_scale, CAIRN_F(16)) || def->damping < 0 || def->damping > CAIRN_F(1000) || def->angular_damping < 0
-        || def->angular_damping > CAIRN_F(1000)) {
+    if ((model->type != CAIRN_DYNAMIC && model->type != CAIRN_STATIC && model->type != CAIRN_KINEMATIC)
+        || !is_material_valid(model->material) || !within(model->gravity_scale, CAIRN_F(16)) || model->damping < 0
+        || model->damping > CAIRN_F(1000) || model->angular_damping < 0 || model->angular_damping > CAIRN_F(1000)) {
         return CAIRN_ERROR_RANGE;
     }
-    if (def->type == CAIRN_DYNAMIC) {
-        cairn_wide kilograms = cairn_wide_mul(mass->area, def->density);
+    if (model->type == CAIRN_DYNAMIC) {
+        cairn_wide kilograms = cairn_wide_mul(mass->area, model->density);
         if (cairn_wide_less(kilograms, MASS_MIN) || cairn_wide_less(MASS_MAX, kilograms)) {
             return CAIRN_ERROR_RANGE;
         }
@@ -121,16 +117,36 @@ static cairn_body *take_place(cairn_world *world)
     return body;
 }
 
-static void update_plain(cairn_body *body)
+static unsigned flags_of(const cairn_body_model *model)
 {
-    bool plain = body->gravity_scale == CAIRN_F(1) && body->damping == 0 && body->angular_damping == 0
-              && cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
-    body->flags = (uint16_t)(plain ? body->flags | CAIRN_BODY_PLAIN : body->flags & ~CAIRN_BODY_PLAIN);
+    bool dynamic = model->type == CAIRN_DYNAMIC, fixed = dynamic && model->fixed_position;
+    bool plain = dynamic && !fixed && model->gravity_scale == CAIRN_F(1) && model->damping == 0 && model->angular_damping == 0;
+    return (unsigned)model->type | cairn_flag_if(model->sensor, CAIRN_BODY_SENSOR) | cairn_flag_if(fixed, CAIRN_BODY_FIXED_POSITION)
+         | cairn_flag_if(dynamic && model->fixed_rotation, CAIRN_BODY_FIXED_ROTATION) | cairn_flag_if(plain, CAIRN_BODY_PLAIN);
+}
+
+#define OF_MODEL (CAIRN_BODY_TYPE | CAIRN_BODY_SENSOR | CAIRN_BODY_FIXED_POSITION | CAIRN_BODY_FIXED_ROTATION | CAIRN_BODY_PLAIN)
+
+static void take_model(cairn_world *world, cairn_body *body, const cairn_body_model *model, const cairn_mass_data *mass)
+{
+    body->model = model;
+    body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
+    body->mass = cairn_wide_from_int(0);
+    if (model->type == CAIRN_DYNAMIC) {
+        body->mass = cairn_wide_mul(mass->area, model->density);
+    }
+    body->inverse_gyration = cairn_wide_from_int(0);
+    if (model->type != CAIRN_STATIC && !(body->flags & CAIRN_BODY_FIXED_ROTATION)) {
+        body->inverse_gyration = cairn_wide_div(cairn_wide_from_int(1), mass->gyration);
+    }
+    if (model->material->bounce != NULL) {
+        world->bounce = model->material->bounce;
+    }
 }
 
 void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *y)
 {
-    const cairn_polygon *polygon = body->shape->polygon;
+    const cairn_polygon *polygon = body->model->shape->polygon;
     *x = *y = 0;
     if (polygon != NULL) {
         *x = cairn_offset_dot(polygon->centroid.x, -polygon->centroid.y, body->cosine, body->sine);
@@ -181,50 +197,25 @@ static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 veloci
     cairn_body_limit_speed(world, body);
 }
 
-cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_def *def)
+cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *model, cairn_vec2 position, cairn_angle angle)
 {
     cairn_mass_data mass;
     if (world == NULL) {
         return cairn_body_id_null();
     }
-    cairn_status status = check(world, def, &mass);
-    if (status != CAIRN_OK) {
-        cairn_fail(world, status);
-        return cairn_body_id_null();
+    cairn_status status = world->locked ? CAIRN_ERROR_LOCKED : check_model(model, &mass);
+    if (status == CAIRN_OK && (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE))) {
+        status = CAIRN_ERROR_RANGE;
     }
-    cairn_body *body = take_place(world);
+    cairn_body *body = status == CAIRN_OK ? take_place(world) : NULL;
     if (body == NULL) {
-        cairn_fail(world, CAIRN_ERROR_FULL);
+        cairn_fail(world, status == CAIRN_OK ? CAIRN_ERROR_FULL : status);
         return cairn_body_id_null();
     }
-    bool dynamic = def->type == CAIRN_DYNAMIC;
-    body->flags = (uint16_t)((unsigned)def->type | CAIRN_BODY_USED | cairn_flag_if(def->sensor, CAIRN_BODY_SENSOR)
-                             | cairn_flag_if(dynamic && def->fixed_rotation, CAIRN_BODY_FIXED_ROTATION)
-                             | cairn_flag_if(dynamic && def->fixed_position, CAIRN_BODY_FIXED_POSITION));
-    body->shape = def->shape;
-    body->material = def->material;
-    body->user = def->user;
-    body->layer = def->layer;
-    body->mask = def->mask;
-    body->gravity_scale = def->gravity_scale;
-    body->damping = def->damping;
-    body->angular_damping = def->angular_damping;
-    if (dynamic) {
-        body->mass = cairn_wide_mul(mass.area, def->density);
-    }
-    if (def->type != CAIRN_STATIC && !(body->flags & CAIRN_BODY_FIXED_ROTATION)) {
-        body->inverse_gyration = cairn_wide_div(cairn_wide_from_int(1), mass.gyration);
-    }
-    update_plain(body);
-    if (def->type != CAIRN_STATIC) {
-        set_velocity(world, body, def->velocity);
-        set_spin(world, body, def->angular_velocity);
-    }
-    place(world, body, def->position, def->angle);
+    body->flags = CAIRN_BODY_USED;
+    take_model(world, body, model, &mass);
+    place(world, body, position, angle);
     disturb(world, body);
-    if (def->material->bounce != NULL) {
-        world->bounce = def->material->bounce;
-    }
     return cairn_body_id_of(world, body);
 }
 
@@ -317,83 +308,50 @@ cairn_status cairn_body_set_angular_velocity(cairn_world *world, cairn_body_id i
     return status;
 }
 
-cairn_status cairn_body_set_material(cairn_world *world, cairn_body_id id, const cairn_material *material)
+/* Without the contacts of the body that no longer are what they were. */
+static void change_contacts(cairn_world *world, const cairn_body *body, uint16_t index, bool as_before)
+{
+    if (as_before) {
+        cairn_arbiters_refresh_materials(world, index);
+        cairn_arbiters_wake_partners(world, index);
+    } else {
+        cairn_arbiters_remove_body(world, index);
+    }
+    disturb(world, body);
+    if (world->springs != NULL) {
+        world->springs->changed = true;
+    }
+}
+
+cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const cairn_body_model *model)
 {
     cairn_status status;
+    cairn_mass_data mass;
     cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
-    if (material == NULL) {
-        return cairn_fail(world, CAIRN_ERROR_NULL);
+    status = check_model(model, &mass);
+    if (status == CAIRN_OK && (model->shape != body->model->shape || model->type != body->model->type)) {
+        status = CAIRN_ERROR_KIND;
     }
-    if (!is_material_valid(material)) {
-        return cairn_fail(world, CAIRN_ERROR_RANGE);
+    if (status != CAIRN_OK) {
+        return cairn_fail(world, status);
     }
-    body->material = material;
-    if (material->bounce != NULL) {
-        world->bounce = material->bounce;
+    cairn_wide old_mass = body->mass;
+    unsigned old_flags = body->flags;
+    take_model(world, body, model, &mass);
+    if (body->flags & CAIRN_BODY_FIXED_ROTATION) {
+        body->w = 0;
     }
-    cairn_arbiters_refresh_materials(world, (uint16_t)(id.index - 1));
-    cairn_arbiters_wake_partners(world, (uint16_t)(id.index - 1));
+    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+        body->vx = body->vy = 0;
+    }
+    bool same_mass = !cairn_wide_less(old_mass, body->mass) && !cairn_wide_less(body->mass, old_mass);
+    bool as_free = ((old_flags ^ body->flags) & OF_MODEL & ~(unsigned)CAIRN_BODY_PLAIN) == 0;
     cairn_body_wake_up(world, body);
+    change_contacts(world, body, (uint16_t)(id.index - 1), same_mass && as_free);
     return CAIRN_OK;
-}
-
-cairn_status cairn_body_set_layers(cairn_world *world, cairn_body_id id, uint16_t layer, uint16_t mask)
-{
-    cairn_status status;
-    cairn_body *body = cairn_body_find_to_change(world, id, &status);
-    if (body != NULL) {
-        cairn_arbiters_wake_partners(world, (uint16_t)(id.index - 1));
-        cairn_body_wake_up(world, body);
-        body->layer = layer;
-        body->mask = mask;
-        disturb(world, body);
-    }
-    return status;
-}
-
-cairn_status cairn_body_set_gravity_scale(cairn_world *world, cairn_body_id id, cairn_real scale)
-{
-    cairn_status status;
-    cairn_body *body = cairn_body_find_to_change(world, id, &status);
-    if (body == NULL) {
-        return status;
-    }
-    if (!within(scale, CAIRN_F(16))) {
-        return cairn_fail(world, CAIRN_ERROR_RANGE);
-    }
-    body->gravity_scale = scale;
-    update_plain(body);
-    cairn_body_wake_up(world, body);
-    return CAIRN_OK;
-}
-
-cairn_status cairn_body_set_damping(cairn_world *world, cairn_body_id id, cairn_real linear, cairn_real angular)
-{
-    cairn_status status;
-    cairn_body *body = cairn_body_find_to_change(world, id, &status);
-    if (body == NULL) {
-        return status;
-    }
-    if (linear < 0 || linear > CAIRN_F(1000) || angular < 0 || angular > CAIRN_F(1000)) {
-        return cairn_fail(world, CAIRN_ERROR_RANGE);
-    }
-    body->damping = linear;
-    body->angular_damping = angular;
-    update_plain(body);
-    return CAIRN_OK;
-}
-
-cairn_status cairn_body_set_user(cairn_world *world, cairn_body_id id, void *user)
-{
-    cairn_status status;
-    cairn_body *body = cairn_body_find_to_change(world, id, &status);
-    if (body != NULL) {
-        body->user = user;
-    }
-    return status;
 }
 
 cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)

@@ -113,10 +113,16 @@ cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
     return cairn_wide_div(body->mass, cairn_wide_mul(body->inverse_gyration, body->inverse_gyration));
 }
 
+const cairn_body_model *cairn_body_get_model(cairn_world *world, cairn_body_id id)
+{
+    const cairn_body *body = cairn_body_find(world, id);
+    return body == NULL ? NULL : body->model;
+}
+
 const cairn_shape *cairn_body_shape(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? NULL : body->shape;
+    return body == NULL ? NULL : body->model->shape;
 }
 
 cairn_body_type cairn_body_get_type(cairn_world *world, cairn_body_id id)
@@ -125,10 +131,10 @@ cairn_body_type cairn_body_get_type(cairn_world *world, cairn_body_id id)
     return body == NULL ? CAIRN_DYNAMIC : cairn_body_type_of(body);
 }
 
-void *cairn_body_user(cairn_world *world, cairn_body_id id)
+const void *cairn_body_user(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? NULL : body->user;
+    return body == NULL ? NULL : body->model->user;
 }
 
 bool cairn_body_is_awake(cairn_world *world, cairn_body_id id)

@@ -53,7 +53,7 @@ static cairn_motion row_velocity(const impact *i, const cairn_row *row)
 
 static void mix(impact *i, const cairn_world *world)
 {
-    const cairn_material *a = i->a->material, *b = i->b->material;
+    const cairn_material *a = i->a->model->material, *b = i->b->model->material;
     cairn_real threshold = a->bounce == NULL ? b->threshold : b->bounce == NULL || a->threshold < b->threshold ? a->threshold : b->threshold;
     i->restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
     i->rest = cairn_motion_from_real(threshold, world->substep);
@@ -68,7 +68,7 @@ static void weigh(impact *i, const cairn_world *world)
     i->rest = g > i->rest ? g : i->rest;
     i->gx = i->gy = 0;
     if (!cairn_body_is_dynamic(i->a) && !(i->b->flags & CAIRN_BODY_FIXED_POSITION)) {
-        cairn_factor scale = cairn_factor_from_real(i->b->gravity_scale);
+        cairn_factor scale = cairn_factor_from_real(i->b->model->gravity_scale);
         i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.35));
         i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.35));
     }
@@ -168,7 +168,7 @@ static cairn_motion opened(const impact *i, const cairn_row *row, const course *
 static cairn_pose turned(const cairn_body *body, cairn_offset turn)
 {
     cairn_pose pose;
-    pose.shape = body->shape;
+    pose.shape = body->model->shape;
     pose.x = pose.y = 0;
     pose.c = body->cosine;
     pose.s = body->sine;

@@ -33,7 +33,7 @@ static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 /* Surfaces lie within 2 sqrt(2) radii of gyration of the centre; a circle's does not move by turning. */
 static cairn_offset sweep_of(const cairn_body *body, cairn_motion w)
 {
-    return body->shape->kind->outline == NULL ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
+    return body->model->shape->kind->outline == NULL ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
 }
 
 /* By the velocities of the step's start; a spin beyond the limit will be cut to it. */
@@ -54,7 +54,7 @@ static course ahead(const cairn_world *world, const cairn_body *body, cairn_offs
 static cairn_pose pose_at(const course *c, cairn_unit time)
 {
     cairn_pose pose;
-    pose.shape = c->body->shape;
+    pose.shape = c->body->model->shape;
     pose.x = c->x + cairn_offset_mul(c->dx, time);
     pose.y = c->y + cairn_offset_mul(c->dy, time);
     pose.c = c->body->cosine;
@@ -109,7 +109,7 @@ static cairn_offset larger(cairn_offset x, cairn_offset y) { return magnitude(x)
 
 static cairn_offset least_radius(const cairn_body *a, const cairn_body *b)
 {
-    cairn_real ra = a->shape->kind->inradius(a->shape), rb = b->shape->kind->inradius(b->shape);
+    cairn_real ra = a->model->shape->kind->inradius(a->model->shape), rb = b->model->shape->kind->inradius(b->model->shape);
     return cairn_offset_from_real(ra < rb ? ra : rb);
 }
 
@@ -298,7 +298,7 @@ static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
     course path = behind(fast, 0, 0);
     course obstacle = behind(other, cairn_coordinate_offset(fast->x, fast->x_residue, other->x, other->x_residue),
                              cairn_coordinate_offset(fast->y, fast->y_residue, other->y, other->y_residue));
-    cairn_offset core = cairn_offset_from_real(fast->shape->kind->inradius(fast->shape));
+    cairn_offset core = cairn_offset_from_real(fast->model->shape->kind->inradius(fast->model->shape));
     cairn_unit time = 0;
     for (int i = 0; i < ADVANCES; i++) {
         cairn_manifold contact;

@@ -40,7 +40,7 @@ static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const ca
 {
     cairn_vec2 axis = cairn_vec2_of(cairn_real_from_unit(body->cosine), cairn_real_from_unit(body->sine));
     if (draw->circle != NULL) {
-        draw->circle(draw->context, id, state_of(body), place_of(body, 0, 0), body->shape->size.x, axis);
+        draw->circle(draw->context, id, state_of(body), place_of(body, 0, 0), body->model->shape->size.x, axis);
     }
 }
 
@@ -51,7 +51,7 @@ static void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const c
     if (draw->polygon == NULL) {
         return;
     }
-    body->shape->kind->outline(body->shape, body->cosine, body->sine, &hull);
+    body->model->shape->kind->outline(body->model->shape, body->cosine, body->sine, &hull);
     for (int i = 0; i < hull.count; i++) {
         corners[i] = place_of(body, hull.vertex[i].x, hull.vertex[i].y);
     }
@@ -69,7 +69,7 @@ cairn_status cairn_debug_draw_bodies(cairn_world *world, const cairn_debug_draw 
         if (!(body->flags & CAIRN_BODY_USED)) {
             continue;
         }
-        if (body->shape->kind->outline == NULL) {
+        if (body->model->shape->kind->outline == NULL) {
             draw_circle(draw, cairn_body_id_of(world, body), body);
         } else {
             draw_polygon(draw, cairn_body_id_of(world, body), body);

@@ -18,7 +18,7 @@ static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 /* A surface lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by spin; a circle's has none. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
 {
-    cairn_offset spin = body->shape->kind->outline == NULL ? 0 : 3 * cairn_offset_from_motion(magnitude(body->w));
+    cairn_offset spin = body->model->shape->kind->outline == NULL ? 0 : 3 * cairn_offset_from_motion(magnitude(body->w));
     cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy)) + spin;
     return CAIRN_REACH + speed * world->substeps;
 }
@@ -26,13 +26,13 @@ cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body)
 {
     cairn_offset way = cairn_body_reach(world, body) - CAIRN_REACH;
-    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(body->shape->kind->inradius(body->shape));
+    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(body->model->shape->kind->inradius(body->model->shape));
 }
 
 void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body)
 {
     cairn_real reach = cairn_real_above_offset(cairn_body_reach(world, body));
-    body->shape->kind->extents(body->shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
+    body->model->shape->kind->extents(body->model->shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
     body->extent_x += reach;
     body->extent_y += reach;
 }
@@ -52,7 +52,7 @@ static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)
     if (body->flags & CAIRN_BODY_FIXED_POSITION) {
         return 0;
     }
-    return cairn_motion_factor(gravity, cairn_factor_from_real(body->gravity_scale));
+    return cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale));
 }
 
 void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
@@ -64,9 +64,9 @@ void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
         }
         cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
         if (!(body->flags & CAIRN_BODY_PLAIN)) {
-            body->vx = damped(world, body->vx, body->damping);
-            body->vy = damped(world, body->vy, body->damping);
-            body->w = damped(world, body->w, body->angular_damping);
+            body->vx = damped(world, body->vx, body->model->damping);
+            body->vy = damped(world, body->vy, body->model->damping);
+            body->w = damped(world, body->w, body->model->angular_damping);
         }
         body->ux = body->vx;
         body->uy = body->vy;

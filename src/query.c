@@ -31,7 +31,7 @@ static region region_about(const cairn_body *body)
 {
     region r;
     cairn_real x, y, step = cairn_real_above_offset(0);
-    body->shape->kind->extents(body->shape, body->cosine, body->sine, &x, &y);
+    body->model->shape->kind->extents(body->model->shape, body->cosine, body->sine, &x, &y);
     r.lower = cairn_vec2_of(body->x - x, body->y - y);
     r.upper = cairn_vec2_of(body->x + x + step, body->y + y + step);
     return r;
@@ -55,7 +55,7 @@ static cairn_offset scaled(const target *s, cairn_offset x)
     return s->quartered ? cairn_offset_half(cairn_offset_half(x)) : x;
 }
 
-static bool is_circle(const target *s) { return s->body->shape->kind->outline == NULL; }
+static bool is_circle(const target *s) { return s->body->model->shape->kind->outline == NULL; }
 
 /* span: the sum of the sizes of the body's box and of what is asked. */
 static void set_target(target *s, const cairn_body *body, cairn_real span)
@@ -63,10 +63,10 @@ static void set_target(target *s, const cairn_body *body, cairn_real span)
     s->body = body;
     s->quartered = span > NEAR;
     if (is_circle(s)) {
-        s->radius = scaled(s, cairn_offset_from_real(body->shape->size.x));
+        s->radius = scaled(s, cairn_offset_from_real(body->model->shape->size.x));
         return;
     }
-    body->shape->kind->outline(body->shape, body->cosine, body->sine, &s->hull);
+    body->model->shape->kind->outline(body->model->shape, body->cosine, body->sine, &s->hull);
     for (int i = 0; i < s->hull.count; i++) {
         s->hull.vertex[i].x = scaled(s, s->hull.vertex[i].x);
         s->hull.vertex[i].y = scaled(s, s->hull.vertex[i].y);
@@ -165,7 +165,7 @@ static cairn_status set_ray(ray *r, cairn_world *world, cairn_vec2 start, cairn_
 
 static cairn_real size_of(const region *r) { return r->upper.x - r->lower.x + (r->upper.y - r->lower.y); }
 
-static bool answers(const cairn_body *body, uint16_t mask) { return (body->flags & CAIRN_BODY_USED) && (body->layer & mask); }
+static bool answers(const cairn_body *body, uint16_t mask) { return (body->flags & CAIRN_BODY_USED) && (body->model->layer & mask); }
 
 static bool enter_body(const ray *r, const cairn_body *body, entry *in)
 {

@@ -180,9 +180,9 @@ static cairn_offset2 anchor_of(const cairn_body *body, cairn_vec2 anchor)
     cairn_offset2 result;
     result.x = cairn_offset_from_real(anchor.x);
     result.y = cairn_offset_from_real(anchor.y);
-    if (body->shape->polygon != NULL) {
-        result.x -= body->shape->polygon->centroid.x;
-        result.y -= body->shape->polygon->centroid.y;
+    if (body->model->shape->polygon != NULL) {
+        result.x -= body->model->shape->polygon->centroid.x;
+        result.y -= body->model->shape->polygon->centroid.y;
     }
     return result;
 }

@@ -83,8 +83,8 @@ static cairn_motion gravity_along(const cairn_world *world, const cairn_spring *
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_motion g = along(r, world->gravity_x.whole, world->gravity_y.whole);
-    cairn_motion of_a = spring->share_a == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(a->gravity_scale));
-    cairn_motion of_b = spring->share_b == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(b->gravity_scale));
+    cairn_motion of_a = spring->share_a == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(a->model->gravity_scale));
+    cairn_motion of_b = spring->share_b == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(b->model->gravity_scale));
     return of_b - of_a;
 }
 

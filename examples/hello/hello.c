@@ -8,20 +8,16 @@ CAIRN_WORLD(yard, 16, 32); /* bodies, arbiters: all the memory there is */
 
 static const cairn_shape floor_shape = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1)); /* in flash */
 static const cairn_shape crate_shape = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(0.5));
+static const cairn_body_model ground = CAIRN_BODY_MODEL(CAIRN_STATIC, &floor_shape, &cairn_material_default);
+static const cairn_body_model crate = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &crate_shape, &cairn_material_default);
 
 int main(void)
 {
     cairn_port_init();
     cairn_world *world = cairn_world_init(&yard, cairn_vec2_of(0, CAIRN_F(-10)));
 
-    cairn_body_def ground = cairn_body_def_default(&floor_shape);
-    ground.type = CAIRN_STATIC;
-    ground.position = cairn_vec2_of(0, CAIRN_F(-0.5));
-    cairn_body_create(world, &ground);
-
-    cairn_body_def crate = cairn_body_def_default(&crate_shape);
-    crate.position = cairn_vec2_of(0, CAIRN_F(4));
-    cairn_body_id id = cairn_body_create(world, &crate);
+    cairn_body_create(world, &ground, cairn_vec2_of(0, CAIRN_F(-0.5)), 0);
+    cairn_body_id id = cairn_body_create(world, &crate, cairn_vec2_of(0, CAIRN_F(4)), 0);
 
     for (int step = 0; step < 120; step++) {
         cairn_world_step(world); /* 1/60 s */

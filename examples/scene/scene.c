@@ -27,20 +27,13 @@ static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_sto
 
 static cairn_body_id make_body(const cairn_scene *scene, cairn_world *world, const cairn_scene_body *entry)
 {
-    cairn_body_def def = cairn_body_def_default(scene->shapes[entry->shape]);
-    def.material = &scene->materials[entry->material];
-    def.type = entry->type;
-    def.position = entry->position;
-    def.angle = entry->angle;
-    def.velocity = entry->velocity;
-    def.angular_velocity = entry->angular_velocity;
-    def.density = entry->density;
-    def.layer = entry->layer;
-    def.mask = entry->mask;
-    def.sensor = entry->sensor;
-    def.fixed_rotation = entry->fixed_rotation;
-    def.fixed_position = entry->fixed_position;
-    return cairn_body_create(world, &def);
+    const cairn_body_model *model = entry->model < scene->model_count ? &scene->models[entry->model] : NULL;
+    cairn_body_id id = cairn_body_create(world, model, entry->position, entry->angle);
+    if (!cairn_body_id_is_null(id) && model->type != CAIRN_STATIC) {
+        (void)cairn_body_set_velocity(world, id, entry->velocity);
+        (void)cairn_body_set_angular_velocity(world, id, entry->angular_velocity);
+    }
+    return id;
 }
 
 /* Bodies of a fresh world take the places of the pool in order. The null id if the scene has no such body. */

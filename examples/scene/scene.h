@@ -12,15 +12,11 @@ extern "C" {
 #endif
 
 typedef struct cairn_scene_body {
-    uint16_t shape, material; /* places in the scene's tables */
-    cairn_body_type type;
+    uint16_t model; /* a place in the scene's models */
     cairn_vec2 position;
     cairn_angle angle;
     cairn_vec2 velocity;
     cairn_real angular_velocity;
-    cairn_wide density;
-    uint16_t layer, mask;
-    bool sensor, fixed_rotation, fixed_position;
 } cairn_scene_body;
 
 typedef struct cairn_scene_spring {
@@ -43,9 +39,10 @@ typedef struct cairn_scene {
     cairn_scene_solver solver;
     cairn_scene_broad broad;
     bool sleep;
-    uint16_t material_count, shape_count, body_count, spring_count;
+    uint16_t material_count, shape_count, model_count, body_count, spring_count;
     const cairn_material *materials;
     const cairn_shape *const *shapes;
+    const cairn_body_model *models; /* of shapes and materials above */
     const cairn_scene_body *bodies;
     const cairn_scene_spring *springs;
 } cairn_scene;

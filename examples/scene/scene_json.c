@@ -18,6 +18,7 @@ struct cairn_scene_file {
     cairn_shape *plain;      /* circles and boxes, at the places of their names in "shapes" */
     cairn_polygon *polygons; /* likewise */
     const cairn_shape **shapes;
+    cairn_body_model *models;
     cairn_scene_body *bodies;
     cairn_scene_spring *springs;
 };
@@ -413,6 +414,27 @@ static const char *text(reader *r, const cJSON *object, const char *place, const
     return cJSON_IsString(item) ? item->valuestring : NULL;
 }
 
+static bool is_same(const cairn_body_model *a, const cairn_body_model *b)
+{
+    return a->shape == b->shape && a->material == b->material && a->type == b->type && a->layer == b->layer && a->mask == b->mask &&
+           a->sensor == b->sensor && a->fixed_rotation == b->fixed_rotation && a->fixed_position == b->fixed_position &&
+           !cairn_wide_less(a->density, b->density) && !cairn_wide_less(b->density, a->density);
+}
+
+/* The place of such a model, which bodies of one make share; there is room for as many as bodies. */
+static uint16_t model_like(cairn_scene_file *file, const cairn_body_model *model)
+{
+    uint16_t place = 0;
+    while (place < file->table.model_count && !is_same(&file->models[place], model)) {
+        place++;
+    }
+    if (place == file->table.model_count) {
+        file->models[place] = *model;
+        file->table.model_count++;
+    }
+    return place;
+}
+
 static void read_body(reader *r, const cJSON *object, const char *place, cairn_scene_body *body)
 {
     static const char *const known[] = {"name", "shape", "material", "type", "position", "angle", "velocity",
@@ -431,19 +453,20 @@ static void read_body(reader *r, const cJSON *object, const char *place, cairn_s
         fail(r, place, "shape", "missing");
         return;
     }
-    body->shape = shape_named(r, shape, place);
-    body->material = material_named(r, material == NULL ? "default" : material, place);
-    body->type = choice(r, object, place, "type", types) == 1 ? CAIRN_STATIC : CAIRN_DYNAMIC;
+    cairn_body_model model = cairn_body_model_default(r->file->shapes[shape_named(r, shape, place)]);
+    model.material = &r->file->materials[material_named(r, material == NULL ? "default" : material, place)];
+    model.type = choice(r, object, place, "type", types) == 1 ? CAIRN_STATIC : CAIRN_DYNAMIC;
+    model.density = wide_of(number(r, object, place, "density", (range){1e-6, 32000, 1}));
+    model.sensor = flag(r, object, place, "sensor", false);
+    model.fixed_rotation = flag(r, object, place, "fixed_rotation", false);
+    model.fixed_position = flag(r, object, place, "fixed_position", false);
+    model.layer = (uint16_t)integer(r, object, place, "layer", (range){0, 65535, 1});
+    model.mask = (uint16_t)integer(r, object, place, "mask", layers_range);
+    body->model = model_like(r->file, &model);
     body->position = pair(r, object, place, "position", (range){-32000, 32000, required});
     body->angle = CAIRN_RADIANS(number(r, object, place, "angle", coordinate));
     body->velocity = pair(r, object, place, "velocity", coordinate);
     body->angular_velocity = real(r, object, place, "angular_velocity", coordinate);
-    body->density = wide_of(number(r, object, place, "density", (range){1e-6, 32000, 1}));
-    body->sensor = flag(r, object, place, "sensor", false);
-    body->fixed_rotation = flag(r, object, place, "fixed_rotation", false);
-    body->fixed_position = flag(r, object, place, "fixed_position", false);
-    body->layer = (uint16_t)integer(r, object, place, "layer", (range){0, 65535, 1});
-    body->mask = (uint16_t)integer(r, object, place, "mask", layers_range);
 }
 
 static uint16_t end_of_spring(reader *r, const cJSON *object, const char *place, const char *name)
@@ -466,7 +489,8 @@ static void read_spring_force(reader *r, const cJSON *object, const char *place,
     } else {
         fail(r, place, "", "must have either stiffness (and damping) or frequency (and damping_ratio)");
     }
-    if (!r->failed && bodies[spring->a].type == CAIRN_STATIC && bodies[spring->b].type == CAIRN_STATIC) {
+    const cairn_body_model *models = r->file->models;
+    if (!r->failed && models[bodies[spring->a].model].type == CAIRN_STATIC && models[bodies[spring->b].model].type == CAIRN_STATIC) {
         spring->frequency = 0; /* without a mass a frequency says nothing, and nothing is to move */
     }
 }
@@ -505,6 +529,7 @@ static void read_bodies(reader *r)
     if (count == 0) {
         fail(r, "", "bodies", list == NULL ? "missing" : "must have at least one entry");
     }
+    r->file->models = room(r, count, sizeof *r->file->models);
     r->file->bodies = room(r, count, sizeof *r->file->bodies);
     if (r->failed) {
         return;
@@ -602,6 +627,7 @@ static void read_all(reader *r)
     cairn_scene_file *file = r->file;
     file->table.materials = file->materials;
     file->table.shapes = file->shapes;
+    file->table.models = file->models;
     file->table.bodies = file->bodies;
     file->table.springs = file->springs;
 }
@@ -663,6 +689,7 @@ void cairn_scene_file_free(cairn_scene_file *file)
     free(file->plain);
     free(file->polygons);
     free((void *)file->shapes);
+    free(file->models);
     free(file->bodies);
     free(file->springs);
     free(file);

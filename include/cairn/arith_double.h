@@ -74,6 +74,7 @@ static inline cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b) { return a *
 static inline cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b) { return b != 0 ? a / b : 0; }
 static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a + b; }
 static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
+#define CAIRN_DENSITY(x) (x)
 #define CAIRN_WIDE_PI CAIRN_PI
 static inline cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d) { return fabs(a * d - b * c); }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }

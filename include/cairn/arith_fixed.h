@@ -198,6 +198,8 @@ cairn_wide cairn_wide_sqrt(cairn_wide a);
 cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d);
 /* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
 int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
+/* A constant initialiser of 0 to 65535 for what is only multiplied: in steps of 2^-16, its top bit need not be set. */
+#define CAIRN_DENSITY(x) { (uint32_t)CAIRN_ROUND(x, 65536.0), -16 }
 #define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)

@@ -28,25 +28,28 @@ typedef enum cairn_body_type {
     CAIRN_KINEMATIC = 2 /* moves by its own velocity only, as if of infinite mass: platforms */
 } cairn_body_type;
 
-/* All there is to say of a new body. Start from cairn_body_def_default(). */
-typedef struct cairn_body_def {
-    const cairn_shape *shape;        /* must outlive the body */
-    const cairn_material *material;  /* must outlive the body */
+/*
+ * What bodies of one make share: plain constant data that the game keeps for as long as such a body exists, in flash
+ * where it is `static const`. Start from CAIRN_BODY_MODEL() or cairn_body_model_default().
+ */
+typedef struct cairn_body_model {
+    const cairn_shape *shape;       /* must outlive the model */
+    const cairn_material *material; /* likewise */
     cairn_body_type type;
-    cairn_vec2 position;             /* of the shape's origin, m */
-    cairn_angle angle;
-    cairn_vec2 velocity;             /* of the centre of mass, m/s */
-    cairn_real angular_velocity;     /* rad/s */
-    cairn_wide density;              /* kg/m^2; mass and inertia follow from the shape */
-    cairn_real gravity_scale;        /* -16 to 16 */
-    cairn_real damping;              /* 1/s, share of the velocity lost per second, 0 to 1000 */
-    cairn_real angular_damping;      /* 1/s */
-    uint16_t layer, mask;            /* bodies meet if a.layer & b.mask and b.layer & a.mask */
-    bool sensor;                     /* reports contacts and does not push */
-    bool fixed_rotation;             /* cannot turn */
-    bool fixed_position;             /* cannot leave its place, can turn about it */
-    void *user;                      /* the game's own */
-} cairn_body_def;
+    cairn_wide density;             /* kg/m^2; mass and inertia follow from the shape; of dynamic bodies only */
+    cairn_real gravity_scale;       /* -16 to 16 */
+    cairn_real damping;             /* 1/s, share of the velocity lost per second, 0 to 1000 */
+    cairn_real angular_damping;     /* 1/s */
+    uint16_t layer, mask;           /* bodies meet if a.layer & b.mask and b.layer & a.mask */
+    bool sensor;                    /* reports contacts and does not push */
+    bool fixed_rotation;            /* cannot turn */
+    bool fixed_position;            /* cannot leave its place, can turn about it */
+    const void *user;               /* the game's own */
+} cairn_body_model;
+
+/* Initialiser: a body of density 1 on layer 1 that meets all layers. */
+#define CAIRN_BODY_MODEL(type, shape, material) \
+    { (shape), (material), (type), CAIRN_DENSITY(1), CAIRN_F(1), 0, 0, 1, 0xFFFF, false, false, false, NULL }
 
 /* The layout of a body is the engine's own: games use ids and the functions below. */
 typedef struct cairn_body {
@@ -61,13 +64,9 @@ typedef struct cairn_body {
     cairn_angle angle;
     cairn_unit cosine, sine;
     cairn_real extent_x, extent_y; /* half sizes of the bounding box, with the margin of this step */
-    const cairn_shape *shape;
-    const cairn_material *material;
-    void *user;
+    const cairn_body_model *model;
     cairn_wide mass;             /* kg; zero if not dynamic */
     cairn_wide inverse_gyration; /* 1/m */
-    cairn_real gravity_scale, damping, angular_damping;
-    uint16_t layer, mask;
     uint16_t generation;
     uint16_t next; /* the next free body, or the next of the island */
     uint16_t flags;
@@ -84,36 +83,22 @@ static inline cairn_body_id cairn_body_id_null(void)
 static inline bool cairn_body_id_is_null(cairn_body_id id) { return id.index == 0; }
 static inline bool cairn_body_id_equal(cairn_body_id a, cairn_body_id b) { return a.index == b.index && a.generation == b.generation; }
 
-/* A dynamic body of density 1 at the origin, of the default material, on layer 1, meeting all layers. */
-static inline cairn_body_def cairn_body_def_default(const cairn_shape *shape)
+/* A dynamic body of density 1 and the default material, on layer 1, meeting all layers. */
+static inline cairn_body_model cairn_body_model_default(const cairn_shape *shape)
 {
-    cairn_body_def def;
-    def.shape = shape;
-    def.material = &cairn_material_default;
-    def.type = CAIRN_DYNAMIC;
-    def.position = cairn_vec2_of(0, 0);
-    def.angle = 0;
-    def.velocity = cairn_vec2_of(0, 0);
-    def.angular_velocity = 0;
-    def.density = cairn_wide_from_int(1);
-    def.gravity_scale = CAIRN_F(1);
-    def.damping = 0;
-    def.angular_damping = 0;
-    def.layer = 1;
-    def.mask = 0xFFFF;
-    def.sensor = false;
-    def.fixed_rotation = false;
-    def.fixed_position = false;
-    def.user = NULL;
-    return def;
+    cairn_body_model model = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, shape, &cairn_material_default);
+    return model;
 }
 
 /*
- * Make a body. Null id on error: CAIRN_ERROR_NULL (world, def, shape or material), CAIRN_ERROR_SHAPE, CAIRN_ERROR_RANGE
- * (density of a dynamic body not above zero or mass outside of 1e-7 to 1e9 kg, a material's or a damping's range),
- * CAIRN_ERROR_FULL, CAIRN_ERROR_LOCKED.
+ * Make a body at rest: its shape's origin at a position in metres. Null id on error: CAIRN_ERROR_NULL (world, model, shape
+ * or material), CAIRN_ERROR_SHAPE, CAIRN_ERROR_RANGE (the position, density of a dynamic body not above zero or mass outside
+ * of 1e-7 to 1e9 kg, a material's or a damping's range), CAIRN_ERROR_FULL, CAIRN_ERROR_LOCKED.
+ *
+ * What the game knows of one body it keeps in an array of its own: id.index is 1 to the capacity, the lowest that is free
+ * for the first bodies, and another one's after the body is destroyed.
  */
-cairn_body_id cairn_body_create(struct cairn_world *world, const cairn_body_def *def);
+cairn_body_id cairn_body_create(struct cairn_world *world, const cairn_body_model *model, cairn_vec2 position, cairn_angle angle);
 /* Remove a body with its arbiters and springs; bodies that touched it wake. */
 cairn_status cairn_body_destroy(struct cairn_world *world, cairn_body_id id);
 bool cairn_body_exists(const struct cairn_world *world, cairn_body_id id);
@@ -132,22 +117,24 @@ cairn_vec2 cairn_body_to_local(struct cairn_world *world, cairn_body_id id, cair
 /* Mass in kg and moment of inertia in kg m^2 about the centre of mass; zero unless dynamic. */
 cairn_wide cairn_body_mass(struct cairn_world *world, cairn_body_id id);
 cairn_wide cairn_body_inertia(struct cairn_world *world, cairn_body_id id);
+const cairn_body_model *cairn_body_get_model(struct cairn_world *world, cairn_body_id id);
+/* What the model says. */
 const cairn_shape *cairn_body_shape(struct cairn_world *world, cairn_body_id id);
 cairn_body_type cairn_body_get_type(struct cairn_world *world, cairn_body_id id);
-void *cairn_body_user(struct cairn_world *world, cairn_body_id id);
-bool cairn_body_is_awake(struct cairn_world *world, cairn_body_id id);
+const void *cairn_body_user(struct cairn_world *world, cairn_body_id id);
 bool cairn_body_is_sensor(struct cairn_world *world, cairn_body_id id);
+bool cairn_body_is_awake(struct cairn_world *world, cairn_body_id id);
 
 /* Teleport. Wakes the body and what it touched. */
 cairn_status cairn_body_set_transform(struct cairn_world *world, cairn_body_id id, cairn_vec2 position, cairn_angle angle);
 /* Speeds are capped, see cairn_world_speed_limit(). A static body refuses (CAIRN_ERROR_KIND). */
 cairn_status cairn_body_set_velocity(struct cairn_world *world, cairn_body_id id, cairn_vec2 velocity);
 cairn_status cairn_body_set_angular_velocity(struct cairn_world *world, cairn_body_id id, cairn_real radians_per_second);
-cairn_status cairn_body_set_material(struct cairn_world *world, cairn_body_id id, const cairn_material *material);
-cairn_status cairn_body_set_layers(struct cairn_world *world, cairn_body_id id, uint16_t layer, uint16_t mask);
-cairn_status cairn_body_set_gravity_scale(struct cairn_world *world, cairn_body_id id, cairn_real scale);
-cairn_status cairn_body_set_damping(struct cairn_world *world, cairn_body_id id, cairn_real linear, cairn_real angular);
-cairn_status cairn_body_set_user(struct cairn_world *world, cairn_body_id id, void *user);
+/*
+ * From now on the body is of another model with the same shape and type (else CAIRN_ERROR_KIND; otherwise as creation). It
+ * wakes, and so does what it touched. Another density, sensor or freedom to move begins its contacts anew.
+ */
+cairn_status cairn_body_set_model(struct cairn_world *world, cairn_body_id id, const cairn_body_model *model);
 cairn_status cairn_body_wake(struct cairn_world *world, cairn_body_id id);
 
 /* Forces act during the next step and are then forgotten. Newtons, newton metres; points in the world. Dynamic bodies only. */

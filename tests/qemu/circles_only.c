@@ -7,15 +7,14 @@ enum { STEPS = 60, FELL = 0, STAYED = 1 };
 
 CAIRN_WORLD(yard, 4, 6);
 
-static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.25));
+static const cairn_shape circle = CAIRN_CIRCLE(CAIRN_F(0.25));
+static const cairn_body_model marble = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &circle, &cairn_material_default);
 
 int main(void)
 {
     cairn_port_init();
     cairn_world *world = cairn_world_init_with(&yard, cairn_vec2_of(0, CAIRN_F(-10)), &cairn_solver_soft, NULL, NULL);
-    cairn_body_def def = cairn_body_def_default(&marble);
-    def.position = cairn_vec2_of(0, CAIRN_F(10));
-    const cairn_body_id body = cairn_body_create(world, &def);
+    const cairn_body_id body = cairn_body_create(world, &marble, cairn_vec2_of(0, CAIRN_F(10)), 0);
     for (int step = 0; step < STEPS; step++)
         (void)cairn_world_step(world);
     return cairn_body_position(world, body).y < CAIRN_F(6) ? FELL : STAYED;

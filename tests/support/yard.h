@@ -5,6 +5,8 @@
 #ifndef CAIRN_TEST_YARD_H
 #define CAIRN_TEST_YARD_H
 
+#include "bodies.h"
+
 #include <cairn/cairn.h>
 #include <unity.h>
 
@@ -81,6 +83,13 @@ static inline void assert_yard_kept(void)
         TEST_ASSERT_EQUAL_INT(status, cairn_world_error(world)); \
     } while (0)
 
+static inline cairn_body_id make(const yard_def *def)
+{
+    cairn_body_id id = make_in(world, def);
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
+    return id;
+}
+
 /* ---- short names ---- */
 
 static inline const cairn_world_stats *stats(void) { return cairn_world_get_stats(world); }
@@ -88,6 +97,7 @@ static inline const cairn_world_stats *stats(void) { return cairn_world_get_stat
 static inline void open_yard(cairn_real gravity_y)
 {
     world = cairn_world_init(&yard, cairn_vec2_of(0, gravity_y));
+    yard_model_count = 0;
     TEST_ASSERT_NOT_NULL(world);
 }
 
@@ -98,38 +108,53 @@ static inline void run(int steps)
     }
 }
 
-static inline cairn_body_def def_at(const cairn_shape *shape, cairn_real x, cairn_real y)
-{
-    cairn_body_def def = cairn_body_def_default(shape);
-    def.position = cairn_vec2_of(x, y);
-    return def;
-}
-
-static inline cairn_body_id make(const cairn_body_def *def)
-{
-    cairn_body_id id = cairn_body_create(world, def);
-    TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
-    return id;
-}
-
 static inline cairn_body_id put(const cairn_shape *shape, cairn_real x, cairn_real y)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     return make(&def);
 }
 
 static inline cairn_body_id put_static(const cairn_shape *shape, cairn_real x, cairn_real y)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     def.type = CAIRN_STATIC;
     return make(&def);
 }
 
 static inline cairn_body_id put_moving(const cairn_shape *shape, cairn_real x, cairn_real y, cairn_real vx, cairn_real vy)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     def.velocity = cairn_vec2_of(vx, vy);
     return make(&def);
+}
+
+/* One thing of a body's model changed. */
+static inline cairn_body_model model_now(cairn_body_id id) { return *cairn_body_get_model(world, id); }
+static inline cairn_status set_material(cairn_body_id id, const cairn_material *material)
+{
+    cairn_body_model model = model_now(id);
+    model.material = material;
+    return cairn_body_set_model(world, id, keep_model(model));
+}
+static inline cairn_status set_layers(cairn_body_id id, uint16_t layer, uint16_t mask)
+{
+    cairn_body_model model = model_now(id);
+    model.layer = layer;
+    model.mask = mask;
+    return cairn_body_set_model(world, id, keep_model(model));
+}
+static inline cairn_status set_gravity_scale(cairn_body_id id, cairn_real scale)
+{
+    cairn_body_model model = model_now(id);
+    model.gravity_scale = scale;
+    return cairn_body_set_model(world, id, keep_model(model));
+}
+static inline cairn_status set_damping(cairn_body_id id, cairn_real linear, cairn_real angular)
+{
+    cairn_body_model model = model_now(id);
+    model.damping = linear;
+    model.angular_damping = angular;
+    return cairn_body_set_model(world, id, keep_model(model));
 }
 
 static inline cairn_vec2 at(cairn_real x, cairn_real y) { return cairn_vec2_of(x, y); }

@@ -21,7 +21,7 @@ static int contacts(void)
 void test_what_cannot_move_comes_first_in_a_pair(void)
 {
     cairn_body_id id = put(&ball, 0, CAIRN_F(0.5)), ground_id = put_static(&ground, 0, CAIRN_F(-0.5));
-    cairn_body_def def = def_at(&box, CAIRN_F(0.9), CAIRN_F(0.5));
+    yard_def def = def_at(&box, CAIRN_F(0.9), CAIRN_F(0.5));
     def.type = CAIRN_KINEMATIC;
     cairn_body_id wall = make(&def);
     run(1);
@@ -92,7 +92,7 @@ void test_destroying_a_body_takes_its_arbiters_at_once(void)
 void test_a_body_in_a_place_used_again_starts_from_nothing(void)
 {
     put_static(&ground, 0, CAIRN_F(-0.5));
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(0.5));
+    yard_def def = def_at(&box, 0, CAIRN_F(0.5));
     def.density = cairn_wide_from_int(1000);
     cairn_body_id heavy = make(&def);
     run(60);

@@ -21,7 +21,7 @@ void tearDown(void) {}
 
 static cairn_body_id put_heavy(const cairn_shape *shape, cairn_real x, cairn_real y, int32_t density)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     def.density = cairn_wide_from_int(density);
     return make(&def);
 }
@@ -176,7 +176,7 @@ void test_contacts_of_a_block_tell_the_load(void)
 
 void test_members_may_be_unable_to_turn(void)
 {
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(0.5));
+    yard_def def = def_at(&box, 0, CAIRN_F(0.5));
     def.fixed_rotation = true;
     cairn_body_id light = make(&def), heavy = put_heavy(&box, CAIRN_F(0.3), CAIRN_F(1.5), 10000);
     run(240);
@@ -187,7 +187,7 @@ void test_members_may_be_unable_to_turn(void)
 
 void test_members_may_be_unable_to_move(void)
 {
-    cairn_body_def def = def_at(&ball, 0, CAIRN_F(3));
+    yard_def def = def_at(&ball, 0, CAIRN_F(3));
     def.fixed_position = true;
     cairn_body_id pivot = make(&def);
     cairn_body_id heavy = put_heavy(&ball, CAIRN_F(0.6), CAIRN_F(3.8), 10000);
@@ -201,7 +201,7 @@ void test_members_may_be_unable_to_move(void)
 
 void test_a_platform_lifts_a_heavy_box_on_a_light_one(void)
 {
-    cairn_body_def def = def_at(&plank, 0, CAIRN_F(1));
+    yard_def def = def_at(&plank, 0, CAIRN_F(1));
     def.type = CAIRN_KINEMATIC;
     def.velocity = at(CAIRN_F(0.5), CAIRN_F(1));
     cairn_body_id lift = make(&def), light = put(&box, 0, CAIRN_F(1.75)), heavy = put_heavy(&box, 0, CAIRN_F(2.75), 10000);
@@ -215,7 +215,7 @@ void test_a_platform_lifts_a_heavy_box_on_a_light_one(void)
 void test_impacts_keep_momentum_and_leave_together_without_restitution(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&box, 0, 0);
+    yard_def def = def_at(&box, 0, 0);
     def.velocity = at(CAIRN_F(3), 0);
     def.density = cairn_wide_from_int(1000);
     cairn_body_id heavy = make(&def), near = put(&box, CAIRN_F(1.2), 0), far = put(&box, CAIRN_F(2.2), 0);
@@ -229,7 +229,7 @@ void test_impacts_keep_momentum_and_leave_together_without_restitution(void)
 void test_a_heavy_box_dropped_on_a_light_one_throws_nothing(void)
 {
     cairn_body_id light = put(&box, 0, CAIRN_F(0.5));
-    cairn_body_def def = def_at(&box, CAIRN_F(0.2), CAIRN_F(4));
+    yard_def def = def_at(&box, CAIRN_F(0.2), CAIRN_F(4));
     def.density = cairn_wide_from_int(10000);
     def.angle = CAIRN_DEGREES(20);
     cairn_body_id heavy = make(&def);
@@ -296,7 +296,7 @@ void test_violent_scenes_of_all_masses_stay_in_bounds(void)
         for (int i = 0; i < 12; i++) {
             int32_t density = 1;
             cairn_real x = CAIRN_F(-2) + CAIRN_F(0.5) * (int32_t)lot(&state, 8), y = CAIRN_F(1) + CAIRN_F(0.75) * i;
-            cairn_body_def def = def_at(i % 3 == 0 ? &ball : i % 3 == 1 ? &box : &slate, x, y);
+            yard_def def = def_at(i % 3 == 0 ? &ball : i % 3 == 1 ? &box : &slate, x, y);
             for (uint32_t decades = lot(&state, 8); decades > 0; decades--) {
                 density *= 10;
             }

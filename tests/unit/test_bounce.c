@@ -20,7 +20,7 @@ void tearDown(void) {}
 
 static cairn_body_id put_of(const cairn_shape *shape, const cairn_material *material, cairn_real x, cairn_real y)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     def.material = material;
     return make(&def);
 }
@@ -133,7 +133,7 @@ void test_a_bouncing_ball_comes_to_rest(void)
 void test_a_kinematic_bat_gives_its_speed_to_the_ball(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&box, CAIRN_F(-2), 0);
+    yard_def def = def_at(&box, CAIRN_F(-2), 0);
     def.type = CAIRN_KINEMATIC;
     def.velocity.x = CAIRN_F(3);
     make(&def);
@@ -148,7 +148,7 @@ void test_a_kinematic_bat_gives_its_speed_to_the_ball(void)
 static void assert_impact(int heavy, const cairn_material *material, cairn_real v1, cairn_real v2, cairn_real within_1, cairn_real within_2)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(-2), 0);
+    yard_def def = def_at(&ball, CAIRN_F(-2), 0);
     def.material = material;
     def.density = cairn_wide_from_int(heavy);
     def.velocity.x = CAIRN_F(4);
@@ -186,7 +186,7 @@ void test_an_oblique_impact_exchanges_only_what_lies_along_the_normal(void)
 {
     open_yard(0);
     cairn_body_id still = put_of(&ball, &elastic, 0, 0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(-0.8660254 - 1.01), CAIRN_F(0.5)); /* they meet half a metre off centre: sin = 0.5 */
+    yard_def def = def_at(&ball, CAIRN_F(-0.8660254 - 1.01), CAIRN_F(0.5)); /* they meet half a metre off centre: sin = 0.5 */
     def.material = &elastic;
     def.velocity.x = CAIRN_F(2);
     cairn_body_id moving = make(&def);
@@ -207,7 +207,7 @@ static void assert_cradle(int coming, cairn_real gap)
     cairn_body_id ids[7];
     open_yard(0);
     for (int i = 0; i < 5 + coming; i++) {
-        cairn_body_def def = def_at(&ball, i < 5 ? CAIRN_F(1) * i : CAIRN_F(-1) * (i - 4) - gap, 0);
+        yard_def def = def_at(&ball, i < 5 ? CAIRN_F(1) * i : CAIRN_F(-1) * (i - 4) - gap, 0);
         def.material = &elastic;
         def.velocity.x = i < 5 ? 0 : CAIRN_F(3);
         ids[i] = make(&def);
@@ -246,7 +246,7 @@ void test_two_balls_come_and_two_go(void)
 void test_a_ball_bounces_off_a_pivot_as_off_the_mass_it_feels(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&beam, 0, 0);
+    yard_def def = def_at(&beam, 0, 0);
     def.fixed_position = true;
     def.material = &elastic;
     cairn_body_id pivot = make(&def);
@@ -265,7 +265,7 @@ void test_a_ball_bounces_off_the_end_of_a_free_beam(void)
 {
     open_yard(0);
     cairn_body_id free_beam = put_of(&beam, &elastic, 0, 0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(0.8), CAIRN_F(0.7));
+    yard_def def = def_at(&ball, CAIRN_F(0.8), CAIRN_F(0.7));
     def.material = &elastic;
     def.velocity.y = CAIRN_F(-2);
     cairn_body_id id = make(&def);
@@ -281,7 +281,7 @@ void test_a_box_that_hits_off_its_centre_spins(void)
 {
     open_yard(0);
     put_static(&box, CAIRN_F(-1), 0);
-    cairn_body_def def = def_at(&box, CAIRN_F(-0.25), CAIRN_F(1.2));
+    yard_def def = def_at(&box, CAIRN_F(-0.25), CAIRN_F(1.2));
     def.velocity.y = CAIRN_F(-1);
     def.material = &elastic;
     cairn_body_id id = make(&def);
@@ -302,7 +302,7 @@ void test_a_tilted_box_bounces_off_either_corner_alike(void)
     for (int side = 0; side < 2; side++) {
         open_yard(0);
         put_static(&ground, 0, CAIRN_F(-0.5));
-        cairn_body_def def = def_at(&box, 0, CAIRN_F(0.7));
+        yard_def def = def_at(&box, 0, CAIRN_F(0.7));
         def.angle = side == 0 ? CAIRN_DEGREES(20) : CAIRN_DEGREES(-20);
         def.material = &elastic;
         def.velocity.y = CAIRN_F(-3);
@@ -320,7 +320,7 @@ void test_a_spinning_box_that_lands_nearly_flat_gains_no_energy(void)
     for (int i = -4; i <= 4; i++) {
         open_yard(0);
         put_static(&ground, 0, CAIRN_F(-0.5));
-        cairn_body_def def = def_at(&box, 0, CAIRN_F(0.53));
+        yard_def def = def_at(&box, 0, CAIRN_F(0.53));
         def.angular_velocity = CAIRN_F(1.1) * i;
         def.material = &elastic;
         def.velocity.y = CAIRN_F(-2);
@@ -337,7 +337,7 @@ void test_a_spinning_box_that_lands_nearly_flat_gains_no_energy(void)
 void test_a_ball_bounces_off_a_pivot_that_was_made_later(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(0.8), CAIRN_F(0.7));
+    yard_def def = def_at(&ball, CAIRN_F(0.8), CAIRN_F(0.7));
     def.material = &elastic;
     def.velocity.y = CAIRN_F(-2);
     cairn_body_id id = make(&def);
@@ -357,7 +357,7 @@ void test_a_ball_bounces_off_a_pivot_that_was_made_later(void)
 void test_a_slipping_impact_takes_friction_times_the_normal_impulse(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ground, 0, CAIRN_F(-0.5));
+    yard_def def = def_at(&ground, 0, CAIRN_F(-0.5));
     def.type = CAIRN_STATIC;
     def.material = &grippy;
     make(&def);
@@ -375,7 +375,7 @@ void test_a_slipping_impact_takes_friction_times_the_normal_impulse(void)
 void test_friction_between_two_balls_turns_both_alike(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(-1.513), 0);
+    yard_def def = def_at(&ball, CAIRN_F(-1.513), 0);
     def.material = &grippy;
     def.velocity.x = CAIRN_F(2);
     def.angular_velocity = CAIRN_F(6);
@@ -392,7 +392,7 @@ void test_friction_between_two_balls_turns_both_alike(void)
 void test_a_gripping_impact_leaves_the_ball_rolling(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ground, 0, CAIRN_F(-0.5));
+    yard_def def = def_at(&ground, 0, CAIRN_F(-0.5));
     def.type = CAIRN_STATIC;
     def.material = &sticky;
     make(&def);
@@ -412,7 +412,7 @@ static void assert_free_collision(const cairn_material *material)
 {
     static const cairn_shape plank = CAIRN_BOX(CAIRN_F(1), CAIRN_F(0.5));
     open_yard(0);
-    cairn_body_def def = def_at(&plank, CAIRN_F(-1.5), CAIRN_F(0.2));
+    yard_def def = def_at(&plank, CAIRN_F(-1.5), CAIRN_F(0.2));
     def.material = material;
     def.velocity = at(CAIRN_F(3), CAIRN_F(0.5));
     def.angular_velocity = CAIRN_F(4);
@@ -447,7 +447,7 @@ void test_a_free_collision_keeps_momentum_and_angular_momentum(void)
 void test_a_heavy_body_feels_each_of_many_light_blows(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ball, 0, 0);
+    yard_def def = def_at(&ball, 0, 0);
     def.material = &elastic;
     def.density = cairn_wide_from_int(10000);
     cairn_body_id heavy = make(&def);
@@ -484,7 +484,7 @@ void test_a_stack_of_bouncing_boxes_comes_to_rest(void)
 void test_a_spinning_box_bounces_and_comes_to_rest(void)
 {
     put_static(&ground, 0, CAIRN_F(-0.5));
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(2));
+    yard_def def = def_at(&box, 0, CAIRN_F(2));
     def.material = &bouncing_rough;
     def.angular_velocity = CAIRN_F(30);
     cairn_body_id id = make(&def);
@@ -514,7 +514,7 @@ void test_elastic_balls_in_a_box_keep_their_energy(void)
     put_static(&ground, 0, CAIRN_F(-5.5));
     put_static(&ground, 0, CAIRN_F(5.5));
     for (int i = 0; i < 12; i++) {
-        cairn_body_def def = def_at(&ball, CAIRN_F(2.5) * (i % 4) - CAIRN_F(3.7), CAIRN_F(2.5) * (i / 4) - CAIRN_F(2.6));
+        yard_def def = def_at(&ball, CAIRN_F(2.5) * (i % 4) - CAIRN_F(3.7), CAIRN_F(2.5) * (i / 4) - CAIRN_F(2.6));
         def.material = &elastic;
         def.velocity = at(CAIRN_F(1) * (i % 5 - 2), CAIRN_F(0.7) * (i % 3 - 1));
         ids[i] = make(&def);

@@ -71,7 +71,7 @@ void test_a_box_at_rest_presses_with_its_weight_on_its_two_corners(void)
 /* In newton seconds whatever the masses: m g h of what lies above. */
 void test_the_impulse_of_a_contact_between_two_bodies_is_the_weight_of_the_upper_one(void)
 {
-    cairn_body_def def = def_at(&ball, 0, CAIRN_F(0.5));
+    yard_def def = def_at(&ball, 0, CAIRN_F(0.5));
     def.fixed_rotation = true;
     def.density = cairn_wide_from_int(8);
     cairn_body_id low = make(&def);
@@ -134,7 +134,7 @@ void test_a_contact_begins_once_lasts_and_ends(void)
 void test_each_bounce_is_a_contact_that_begins(void)
 {
     static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0, 0, 1, 0);
-    cairn_body_def def = def_at(&ball, 0, CAIRN_F(1.5));
+    yard_def def = def_at(&ball, 0, CAIRN_F(1.5));
     def.material = &rubber;
     cairn_body_id id = make(&def);
     int began = 0;

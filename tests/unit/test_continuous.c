@@ -19,7 +19,7 @@ static void assert_wall_holds(const cairn_shape *shape, cairn_real spin)
     for (int i = 0; i < 40; i++) {
         open_yard(0);
         put_static(&sheet, 0, 0);
-        cairn_body_def def = def_at(shape, CAIRN_F(-5) - CAIRN_F(0.05) * i, 0);
+        yard_def def = def_at(shape, CAIRN_F(-5) - CAIRN_F(0.05) * i, 0);
         def.velocity = at(CAIRN_F(60) + CAIRN_F(1.5) * i, CAIRN_F(0.2) * (i - 20));
         def.angular_velocity = spin;
         cairn_body_id id = make(&def);
@@ -45,7 +45,7 @@ void test_a_bullet_stops_at_the_wall_that_it_hits(void)
 void test_a_fast_elastic_ball_keeps_its_speed(void)
 {
     put_static(&sheet, 0, 0);
-    cairn_body_def def = def_at(&bullet, CAIRN_F(-5), 0);
+    yard_def def = def_at(&bullet, CAIRN_F(-5), 0);
     def.material = &elastic;
     def.velocity = at(CAIRN_F(80), CAIRN_F(6));
     cairn_body_id id = make(&def);
@@ -58,7 +58,7 @@ static void assert_exchange(const cairn_shape *first_shape, const cairn_shape *s
 {
     cairn_contact contact;
     open_yard(0);
-    cairn_body_def def = def_at(first_shape, x, 0);
+    yard_def def = def_at(first_shape, x, 0);
     def.material = &elastic;
     def.velocity.x = speed;
     cairn_body_id first = make(&def);
@@ -101,7 +101,7 @@ void test_a_fast_oblique_impact_has_the_normal_of_the_moment_of_meeting(void)
     static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
     for (int order = 0; order < 2; order++) {
         open_yard(0);
-        cairn_body_def still = def_at(&ball, 0, 0), fast = def_at(&ball, CAIRN_F(-6.3), CAIRN_F(0.5));
+        yard_def still = def_at(&ball, 0, 0), fast = def_at(&ball, CAIRN_F(-6.3), CAIRN_F(0.5));
         still.material = fast.material = &elastic;
         fast.velocity.x = CAIRN_F(100);
         cairn_body_id hit = order == 0 ? make(&still) : cairn_body_id_null(), shot = make(&fast);
@@ -129,7 +129,7 @@ void test_a_fast_impact_off_centre_keeps_the_momentum_in_every_step(void)
     for (int i = 0; i < 10; i++) {
         open_yard(0);
         cairn_real speed = CAIRN_F(48);
-        cairn_body_def def = def_at(&square, CAIRN_F(-1) - CAIRN_F(0.08) * i, 0);
+        yard_def def = def_at(&square, CAIRN_F(-1) - CAIRN_F(0.08) * i, 0);
         def.velocity.x = speed;
         def.density = cairn_wide_from_int(3);
         cairn_body_id heavy = make(&def);
@@ -152,7 +152,7 @@ void test_an_impact_at_the_limit_of_speed_keeps_the_momentum(void)
     for (int i = 0; i < 10; i++) {
         open_yard(0);
         cairn_real top = cairn_world_speed_limit(world);
-        cairn_body_def def = def_at(&square, CAIRN_F(-3) - CAIRN_F(0.2) * i, 0);
+        yard_def def = def_at(&square, CAIRN_F(-3) - CAIRN_F(0.2) * i, 0);
         def.fixed_rotation = true;
         def.velocity.x = top;
         def.density = cairn_wide_from_int(3);
@@ -194,7 +194,7 @@ static void assert_misses(const cairn_shape *shape, cairn_real reach, cairn_real
     for (int i = 0; i < 40; i++) {
         open_yard(0);
         put_static(&sheet, 0, 0);
-        cairn_body_def def = def_at(shape, CAIRN_F(-3) - CAIRN_F(0.05) * i, CAIRN_F(3.001) + reach);
+        yard_def def = def_at(shape, CAIRN_F(-3) - CAIRN_F(0.05) * i, CAIRN_F(3.001) + reach);
         def.velocity.x = CAIRN_F(15) + CAIRN_F(3) * i;
         def.angular_velocity = spin;
         cairn_body_id id = make(&def);
@@ -211,7 +211,7 @@ void test_what_whirls_by_within_a_millimetre_hits_nothing(void) { assert_misses(
 /* Turning faster than it looks: the end of a beam of 4 m moves at 60 m/s, a metre a step. */
 void test_a_whirling_beam_does_not_pass_a_post(void)
 {
-    cairn_body_def def = def_at(&beam, 0, 0);
+    yard_def def = def_at(&beam, 0, 0);
     def.fixed_position = true;
     def.angular_velocity = CAIRN_F(30);
     cairn_body_id id = make(&def);
@@ -227,7 +227,7 @@ void test_a_bullet_between_two_walls_stays_between_them(void)
 {
     put_static(&sheet, CAIRN_F(-0.3), 0);
     put_static(&sheet, CAIRN_F(0.3), 0);
-    cairn_body_def def = def_at(&bullet, 0, 0);
+    yard_def def = def_at(&bullet, 0, 0);
     def.material = &elastic;
     def.velocity = at(CAIRN_F(90), CAIRN_F(0.5));
     cairn_body_id id = make(&def);
@@ -261,7 +261,7 @@ void test_boxes_made_at_one_point_part_and_come_to_rest(void)
     open_yard(CAIRN_F(-10));
     put_static(&ground, 0, CAIRN_F(-0.5));
     for (int i = 0; i < 10; i++) {
-        cairn_body_def def = def_at(&crate, 0, CAIRN_F(3));
+        yard_def def = def_at(&crate, 0, CAIRN_F(3));
         def.angle = CAIRN_DEGREES(6) * i;
         ids[i] = make(&def);
     }
@@ -274,7 +274,7 @@ void test_boxes_made_at_one_point_part_and_come_to_rest(void)
 
 void test_layers_and_sensors_let_bullets_through(void)
 {
-    cairn_body_def def = def_at(&sheet, 0, 0);
+    yard_def def = def_at(&sheet, 0, 0);
     def.type = CAIRN_STATIC;
     def.sensor = true;
     make(&def);
@@ -298,7 +298,7 @@ void test_a_sensor_sees_what_flies_through_it_in_one_step(void)
             cairn_contact contact;
             int seen = 0, began = 0;
             open_yard(0);
-            cairn_body_def def = def_at(&sheet, 0, past ? CAIRN_F(3.06) : 0);
+            yard_def def = def_at(&sheet, 0, past ? CAIRN_F(3.06) : 0);
             def.type = CAIRN_STATIC;
             def.sensor = true;
             cairn_body_id sensor = make(&def), shot = put_moving(i & 1 ? &dart : &bullet, CAIRN_F(-3) - CAIRN_F(0.08) * i, 0, CAIRN_F(100), 0);

@@ -2,6 +2,7 @@
 #include <cairn/cairn.h>
 #include <unity.h>
 
+#include "bodies.h"
 #include "test_number.h"
 
 enum { BODIES = 40, ARBITERS = 80, CALLS = 200 };
@@ -107,12 +108,12 @@ void tearDown(void) {}
 
 static cairn_body_id put(const cairn_shape *shape, cairn_vec2 position, cairn_angle angle, cairn_body_type type, bool sensor)
 {
-    cairn_body_def def = cairn_body_def_default(shape);
+    yard_def def = def_at(shape, 0, 0);
     def.position = position;
     def.angle = angle;
     def.type = type;
     def.sensor = sensor;
-    cairn_body_id id = cairn_body_create(world, &def);
+    cairn_body_id id = make_in(world, &def);
     TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
     return id;
 }

@@ -56,7 +56,7 @@ void test_a_box_that_slid_stays_where_it_stopped(void)
 void test_a_load_taken_away_throws_nothing_up(void)
 {
     cairn_body_id light = put(&box, 0, CAIRN_F(0.5));
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(1.5));
+    yard_def def = def_at(&box, 0, CAIRN_F(1.5));
     def.density = cairn_wide_from_int(50);
     cairn_body_id heavy = make(&def);
     run(900);
@@ -81,7 +81,7 @@ void test_a_box_moved_by_the_game_is_not_pulled_back(void)
 void test_a_box_on_the_edge_of_its_support_falls_when_that_moves_away(void)
 {
     static const cairn_shape shelf = CAIRN_BOX(CAIRN_F(2), CAIRN_F(0.2));
-    cairn_body_def def = def_at(&shelf, CAIRN_F(-10), CAIRN_F(3));
+    yard_def def = def_at(&shelf, CAIRN_F(-10), CAIRN_F(3));
     def.type = CAIRN_KINEMATIC;
     cairn_body_id support = make(&def), id = put(&box, CAIRN_F(-10), CAIRN_F(3.6));
     run(300);
@@ -97,7 +97,7 @@ void test_a_box_on_the_edge_of_its_support_falls_when_that_moves_away(void)
 void test_a_stack_on_a_slow_platform_goes_with_it(void)
 {
     static const cairn_shape deck = CAIRN_BOX(CAIRN_F(4), CAIRN_F(0.5));
-    cairn_body_def def = def_at(&deck, 0, CAIRN_F(2));
+    yard_def def = def_at(&deck, 0, CAIRN_F(2));
     def.type = CAIRN_KINEMATIC;
     def.velocity = at(CAIRN_F(0.03), 0);
     cairn_body_id platform = make(&def);

@@ -9,7 +9,7 @@ void tearDown(void) {}
 /* A plank on the end of another: they share 10 m, and their far ends are 470 m apart. */
 static cairn_body_id overhang(bool fixed_rotation)
 {
-    cairn_body_def def = def_at(&plank, CAIRN_F(230), CAIRN_F(2));
+    yard_def def = def_at(&plank, CAIRN_F(230), CAIRN_F(2));
     put_static(&plank, 0, 0);
     def.fixed_rotation = fixed_rotation;
     return make(&def);
@@ -45,7 +45,7 @@ static void assert_polygons_rest(cairn_angle angle)
     ASSERT_OK(cairn_polygon_init(&polygon, corners, 4));
     open_yard(CAIRN_F(-10));
     put_static(&polygon.shape, 0, 0);
-    cairn_body_def def = def_at(&polygon.shape, CAIRN_F(-230), CAIRN_F(2));
+    yard_def def = def_at(&polygon.shape, CAIRN_F(-230), CAIRN_F(2));
     def.angle = angle;
     def.fixed_rotation = true;
     cairn_body_id id = make(&def);
@@ -82,7 +82,7 @@ void test_giants_that_pass_at_top_speed_stay_in_range(void)
         open_yard(0);
         ASSERT_OK(cairn_world_set_substeps(world, substeps));
         cairn_real top = cairn_world_speed_limit(world);
-        cairn_body_def def = def_at(&giant.shape, 0, 0);
+        yard_def def = def_at(&giant.shape, 0, 0);
         def.velocity = cairn_vec2_of(top, top);
         def.angular_velocity = CAIRN_F(0.5);
         cairn_body_id a = make(&def);
@@ -101,7 +101,7 @@ void test_giants_that_pass_at_top_speed_stay_in_range(void)
 void test_fast_planks_far_from_one_another_do_not_meet(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&plank, 0, 0);
+    yard_def def = def_at(&plank, 0, 0);
     def.angle = CAIRN_DEGREES(45);
     def.velocity = at(CAIRN_F(30), CAIRN_F(-30));
     cairn_body_id a = make(&def);
@@ -121,7 +121,7 @@ void test_no_speed_is_above_the_limit_after_a_step(void)
     static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(1));
     open_yard(0);
     cairn_real top = cairn_world_speed_limit(world);
-    cairn_body_def def = def_at(&ball, 0, 0);
+    yard_def def = def_at(&ball, 0, 0);
     def.density = cairn_wide_from_int(1000);
     def.velocity = at(top, top);
     make(&def);

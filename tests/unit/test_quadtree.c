@@ -2,6 +2,8 @@
 #include <cairn/cairn.h>
 #include <unity.h>
 
+#define YARD_MODELS 128 /* two for each body */
+#include "bodies.h"
 #include "engine.h"
 #include "test_number.h"
 
@@ -19,7 +21,7 @@ CAIRN_QUADTREE(tree_memory, CELLS, ENTRIES);
 
 static cairn_shape shapes[BODIES];
 
-void setUp(void) {}
+void setUp(void) { yard_model_count = 0; }
 void tearDown(void) {}
 
 /* ---- what a search finds ---- */
@@ -87,12 +89,12 @@ static void random_shape(uint32_t *seed, world_kind kind, cairn_shape *shape)
 static void add_body(cairn_world *world, uint32_t *seed, world_kind kind, double half, int i)
 {
     random_shape(seed, kind, &shapes[i]);
-    cairn_body_def def = cairn_body_def_default(&shapes[i]);
+    yard_def def = def_at(&shapes[i], 0, 0);
     int type = random_between(seed, 0, 9);
     def.type = type < 2 ? CAIRN_STATIC : type < 3 ? CAIRN_KINEMATIC : CAIRN_DYNAMIC;
     def.position = random_place(seed, kind, half);
     def.angle = kind == ON_THE_LINES ? 0 : cairn_angle_from_radians(random_real(seed, -3, 3));
-    cairn_body_id id = cairn_body_create(world, &def);
+    cairn_body_id id = make_in(world, &def);
     TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
     cairn_body *body = &world->bodies[id.index - 1];
     body->flags |= CAIRN_BODY_SPRUNG;
@@ -108,6 +110,7 @@ static void add_body(cairn_world *world, uint32_t *seed, world_kind kind, double
 static cairn_world *random_world(uint32_t *seed, world_kind kind, double half)
 {
     cairn_world *world = cairn_world_init(&memory, cairn_vec2_of(0, 0));
+    yard_model_count = 0;
     int count = random_between(seed, 0, BODIES);
     for (int i = 0; i < count; i++) {
         add_body(world, seed, kind == MIXED ? (world_kind)random_between(seed, SCATTERED, ON_THE_LINES) : kind, half, i);
@@ -180,10 +183,10 @@ static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.25));
 
 static void add_fixed(cairn_world *world, const cairn_shape *shape, cairn_real x, cairn_real y)
 {
-    cairn_body_def def = cairn_body_def_default(shape);
+    yard_def def = def_at(shape, 0, 0);
     def.type = CAIRN_STATIC;
     def.position = cairn_vec2_of(x, y);
-    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &def)));
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(make_in(world, &def)));
 }
 
 /* A trough into which crates and balls fall; some fall beside it and out of the tree. */
@@ -195,13 +198,13 @@ static cairn_world *trough(const cairn_world_storage *storage)
     add_fixed(world, &wall_shape, CAIRN_F(-3), CAIRN_F(10));
     add_fixed(world, &wall_shape, CAIRN_F(3), CAIRN_F(10));
     for (int i = 0; i < 44; i++) {
-        cairn_body_def def = cairn_body_def_default(i & 1 ? &crate : &ball);
+        yard_def def = def_at(i & 1 ? &crate : &ball, 0, 0);
         def.position = cairn_vec2_of(random_real(&seed, -2, 2), cairn_real_half(cairn_real_from_int(i + 3)));
         def.angle = cairn_angle_from_radians(random_real(&seed, -1, 1));
         if (i % 11 == 0) {
             def.position.x = CAIRN_F(9.9); /* on the floor's end */
         }
-        TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &def)));
+        TEST_ASSERT_FALSE(cairn_body_id_is_null(make_in(world, &def)));
     }
     return world;
 }
@@ -245,11 +248,11 @@ void test_sleepers_wake_alike_with_either_search(void)
     TEST_ASSERT_EQUAL(CAIRN_OK, cairn_sleep_enable(pairs));
     TEST_ASSERT_EQUAL(CAIRN_OK, cairn_sleep_enable(tree));
     assert_same_history(pairs, tree);
-    cairn_body_def def = cairn_body_def_default(&crate);
+    yard_def def = def_at(&crate, 0, 0);
     def.position = cairn_vec2_of(0, CAIRN_F(15));
     def.velocity = cairn_vec2_of(0, CAIRN_F(-20));
-    cairn_body_create(pairs, &def);
-    cairn_body_create(tree, &def);
+    make_in(pairs, &def);
+    make_in(tree, &def);
     assert_same_history(pairs, tree);
 }
 
@@ -257,10 +260,10 @@ void test_sleepers_wake_alike_with_either_search(void)
 
 static void add_grid(cairn_world *world, const cairn_shape *shape, int columns, int rows)
 {
-    cairn_body_def def = cairn_body_def_default(shape);
+    yard_def def = def_at(shape, 0, 0);
     for (int i = 0; i < columns * rows; i++) {
         def.position = cairn_vec2_of(cairn_real_from_int(i % columns - columns / 2), cairn_real_from_int(1 + i / columns));
-        TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &def)));
+        TEST_ASSERT_FALSE(cairn_body_id_is_null(make_in(world, &def)));
     }
 }
 

@@ -2,6 +2,7 @@
 #include <cairn/cairn.h>
 #include <unity.h>
 
+#include "bodies.h"
 #include "test_number.h"
 
 enum { BODIES = 16, ARBITERS = 32 };
@@ -28,22 +29,22 @@ void tearDown(void) {}
 
 static cairn_body_id put(const cairn_shape *shape, cairn_vec2 position, cairn_angle angle)
 {
-    cairn_body_def def = cairn_body_def_default(shape);
+    yard_def def = def_at(shape, 0, 0);
     def.position = position;
     def.angle = angle;
-    cairn_body_id id = cairn_body_create(world, &def);
+    cairn_body_id id = make_in(world, &def);
     TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
     return id;
 }
 
 static cairn_body_id put_special(const cairn_shape *shape, cairn_vec2 position, cairn_body_type type, uint16_t layer, bool sensor)
 {
-    cairn_body_def def = cairn_body_def_default(shape);
+    yard_def def = def_at(shape, 0, 0);
     def.position = position;
     def.type = type;
     def.layer = layer;
     def.sensor = sensor;
-    cairn_body_id id = cairn_body_create(world, &def);
+    cairn_body_id id = make_in(world, &def);
     TEST_ASSERT_FALSE(cairn_body_id_is_null(id));
     return id;
 }
@@ -281,7 +282,7 @@ void test_a_visitor_that_returns_false_is_not_called_again(void)
 static bool change_all(void *context, cairn_body_id body)
 {
     int *calls = (int *)context;
-    cairn_body_def def = cairn_body_def_default(&unit_circle);
+    yard_def def = def_at(&unit_circle, 0, 0);
     visits seen = none_of(BODIES);
     (*calls)++;
     /* A question from inside is answered, and does not unlock. */
@@ -290,7 +291,7 @@ static bool change_all(void *context, cairn_body_id body)
     TEST_ASSERT_EQUAL(CAIRN_ERROR_LOCKED, cairn_body_destroy(world, body));
     TEST_ASSERT_EQUAL(CAIRN_ERROR_LOCKED, cairn_body_set_velocity(world, body, V(1, 0)));
     TEST_ASSERT_EQUAL(CAIRN_ERROR_LOCKED, cairn_world_step(world));
-    TEST_ASSERT_TRUE(cairn_body_id_is_null(cairn_body_create(world, &def)));
+    TEST_ASSERT_TRUE(cairn_body_id_is_null(make_in(world, &def)));
     TEST_ASSERT_EQUAL(CAIRN_ERROR_LOCKED, cairn_world_error(world));
     return true;
 }

@@ -9,6 +9,7 @@ static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape ground = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1));
 static const cairn_shape *const shapes[] = { &ball, &ground };
 static cairn_material materials[2];
+static cairn_body_model models[3];
 static cairn_scene_body bodies[3];
 static cairn_scene_spring springs[2];
 static cairn_scene scene;
@@ -26,18 +27,18 @@ void setUp(void)
     materials[0] = cairn_material_default;
     materials[1] = cairn_material_jelly;
     for (int i = 0; i < 3; i++) {
-        bodies[i].layer = 1;
-        bodies[i].mask = 0xFFFF;
-        bodies[i].density = cairn_wide_from_int(1);
+        models[i] = cairn_body_model_default(&ball);
+        models[i].material = &materials[0];
+        bodies[i].model = (uint16_t)i;
         bodies[i].position = at(CAIRN_F(2) * i, CAIRN_F(0.5));
     }
-    bodies[0].shape = 1;
-    bodies[0].type = CAIRN_STATIC;
+    models[0].shape = &ground;
+    models[0].type = CAIRN_STATIC;
     bodies[0].position = at(0, CAIRN_F(-0.5));
     bodies[2].velocity = at(CAIRN_F(0.5), 0);
     bodies[2].angular_velocity = CAIRN_F(-1);
     bodies[2].angle = CAIRN_DEGREES(90);
-    bodies[2].material = 1;
+    models[2].material = &materials[1];
     springs[0].a = 1;
     springs[0].b = 2;
     springs[0].rest_length = CAIRN_F(-1);
@@ -50,10 +51,12 @@ void setUp(void)
     scene.passes = 10;
     scene.material_count = 2;
     scene.shape_count = 2;
+    scene.model_count = 3;
     scene.body_count = 3;
     scene.spring_count = 1;
     scene.materials = materials;
     scene.shapes = shapes;
+    scene.models = models;
     scene.bodies = bodies;
     scene.springs = springs;
     storage.world = &yard;
@@ -130,9 +133,9 @@ void test_a_spring_may_be_given_by_its_frequency(void)
 
 void test_kinds_of_bodies_come_through(void)
 {
-    bodies[1].sensor = true;
-    bodies[1].fixed_rotation = true;
-    bodies[2].fixed_position = true;
+    models[1].sensor = true;
+    models[1].fixed_rotation = true;
+    models[2].fixed_position = true;
     build();
     TEST_ASSERT_TRUE(cairn_body_is_sensor(world, ids[1]));
     run(30);
@@ -183,9 +186,9 @@ void test_springs_without_memory_are_refused(void)
 
 void test_the_first_bad_body_is_named(void)
 {
-    bodies[1].density = cairn_wide_from_int(0);
+    models[1].density = cairn_wide_from_int(0);
     assert_refused(CAIRN_ERROR_RANGE, 1);
-    bodies[1].density = cairn_wide_from_int(1);
+    models[1].density = cairn_wide_from_int(1);
     materials[1].kinetic_friction = CAIRN_FACTOR(9);
     assert_refused(CAIRN_ERROR_RANGE, 2);
 }

@@ -11,7 +11,7 @@ void tearDown(void) {}
 
 static cairn_body_id put_sensor(const cairn_shape *shape, cairn_real x, cairn_real y, cairn_body_type type)
 {
-    cairn_body_def def = def_at(shape, x, y);
+    yard_def def = def_at(shape, x, y);
     def.type = type;
     def.sensor = true;
     return make(&def);
@@ -94,14 +94,14 @@ void test_sensors_report_one_another(void)
 
 void test_a_sensor_obeys_layers(void)
 {
-    cairn_body_def def = def_at(&box, 0, 0);
+    yard_def def = def_at(&box, 0, 0);
     def.type = CAIRN_STATIC;
     def.sensor = true;
     def.mask = 2;
     cairn_body_id sensor = make(&def), id = put(&ball, 0, 0);
     run(1);
     TEST_ASSERT_FALSE(contact_of(sensor, id, &contact));
-    ASSERT_OK(cairn_body_set_layers(world, id, 2, 0xFFFF));
+    ASSERT_OK(set_layers(id, 2, 0xFFFF));
     run(1);
     TEST_ASSERT_TRUE(are_touching(sensor, id));
 }

@@ -99,7 +99,7 @@ void test_bounding_boxes_turn_with_the_body(void)
     static const cairn_shape probe = CAIRN_CIRCLE(CAIRN_F(0.1));
     cairn_contact contact;
     open_yard(0);
-    cairn_body_def def = def_at(&plank, 0, 0);
+    yard_def def = def_at(&plank, 0, 0);
     def.angle = CAIRN_DEGREES(60);
     cairn_body_id turned_plank = make(&def);
     /* just beyond the end of the plank, 2 m up its axis, and where it would end unturned */
@@ -113,7 +113,7 @@ void test_one_shape_serves_any_number_of_bodies(void)
 {
     static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
     open_yard(0);
-    cairn_body_def light = def_at(&ball, 0, 0), heavy = def_at(&ball, CAIRN_F(3), 0);
+    yard_def light = def_at(&ball, 0, 0), heavy = def_at(&ball, CAIRN_F(3), 0);
     heavy.density = cairn_wide_from_int(100);
     cairn_body_id a = make(&light), b = make(&heavy);
     ASSERT_NEAR(LSB, 0.78539816, cairn_wide_to_real(cairn_body_mass(world, a)));

@@ -90,7 +90,7 @@ void test_contacts_of_sleepers_remain_and_are_no_news(void)
 
 void test_what_moves_does_not_fall_asleep(void)
 {
-    cairn_body_def def = def_at(&ball, CAIRN_F(-15), CAIRN_F(0.5));
+    yard_def def = def_at(&ball, CAIRN_F(-15), CAIRN_F(0.5));
     def.velocity.x = CAIRN_F(0.1);
     def.angular_velocity = CAIRN_F(-0.2);
     cairn_body_id roller = make(&def);
@@ -135,10 +135,10 @@ void test_a_force_wakes_the_group(void) { ASSERT_WAKES(cairn_body_apply_force(wo
 void test_a_torque_wakes_the_group(void) { ASSERT_WAKES(cairn_body_apply_torque(world, low, CAIRN_F(1))); }
 void test_a_velocity_wakes_the_group(void) { ASSERT_WAKES(cairn_body_set_velocity(world, high, at(CAIRN_F(0.1), 0))); }
 void test_a_spin_wakes_the_group(void) { ASSERT_WAKES(cairn_body_set_angular_velocity(world, high, CAIRN_F(0.1))); }
-void test_a_gravity_scale_wakes_the_group(void) { ASSERT_WAKES(cairn_body_set_gravity_scale(world, high, 0)); }
-void test_a_new_material_wakes_the_group(void) { ASSERT_WAKES(cairn_body_set_material(world, low, &cairn_material_ice)); }
-void test_a_new_material_of_the_floor_wakes_what_lies_on_it(void) { ASSERT_WAKES(cairn_body_set_material(world, floor_id, &cairn_material_ice)); }
-void test_new_layers_wake_the_group(void) { ASSERT_WAKES(cairn_body_set_layers(world, high, 1, 0xFFFF)); }
+void test_a_gravity_scale_wakes_the_group(void) { ASSERT_WAKES(set_gravity_scale(high, 0)); }
+void test_a_new_material_wakes_the_group(void) { ASSERT_WAKES(set_material(low, &cairn_material_ice)); }
+void test_a_new_material_of_the_floor_wakes_what_lies_on_it(void) { ASSERT_WAKES(set_material(floor_id, &cairn_material_ice)); }
+void test_new_layers_wake_the_group(void) { ASSERT_WAKES(set_layers(high, 1, 0xFFFF)); }
 void test_new_gravity_wakes_all(void) { ASSERT_WAKES(cairn_world_set_gravity(world, at(0, CAIRN_F(-5)))); }
 
 void test_disabling_sleep_wakes_all_for_good(void)
@@ -229,7 +229,7 @@ void test_a_static_body_made_inside_of_a_sleeper_wakes_it(void)
 
 void test_a_moving_platform_keeps_awake_and_wakes(void)
 {
-    cairn_body_def def = def_at(&box, CAIRN_F(10), CAIRN_F(3));
+    yard_def def = def_at(&box, CAIRN_F(10), CAIRN_F(3));
     def.type = CAIRN_KINEMATIC;
     cairn_body_id platform = make(&def), rider = put(&box, CAIRN_F(10), CAIRN_F(4));
     run(90);
@@ -250,7 +250,7 @@ void test_any_motion_of_a_platform_keeps_awake(void)
 {
     static const cairn_vec2 speeds[] = { { CAIRN_F(0.02), 0 }, { 0, 0 } };
     for (int i = 0; i < 2; i++) {
-        cairn_body_def def = def_at(&ground, CAIRN_F(100) * (i + 1), CAIRN_F(3));
+        yard_def def = def_at(&ground, CAIRN_F(100) * (i + 1), CAIRN_F(3));
         def.type = CAIRN_KINEMATIC;
         def.velocity = speeds[i];
         def.angular_velocity = i == 1 ? CAIRN_F(0.001) : 0;
@@ -287,7 +287,7 @@ void test_what_hangs_still_on_a_spring_falls_asleep(void)
 void test_what_hangs_on_a_moving_platform_stays_awake(void)
 {
     for (int i = 0; i < 2; i++) {
-        cairn_body_def lift = def_at(&peg, CAIRN_F(20) * (i + 1), CAIRN_F(6));
+        yard_def lift = def_at(&peg, CAIRN_F(20) * (i + 1), CAIRN_F(6));
         lift.type = CAIRN_KINEMATIC;
         lift.velocity.y = CAIRN_F(0.01);
         cairn_body_id hook = make(&lift), load = put(&ball, CAIRN_F(20) * (i + 1), CAIRN_F(4));

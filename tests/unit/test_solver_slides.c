@@ -90,7 +90,7 @@ void test_friction_holds_below_the_kinetic_angle_and_slides_above(void)
 {
     cairn_unit c, s;
     cairn_angle_rotation(CAIRN_DEGREES(15), &c, &s);
-    cairn_body_def def = def_at(&ground, 0, 0);
+    yard_def def = def_at(&ground, 0, 0);
     def.type = CAIRN_STATIC;
     def.angle = CAIRN_DEGREES(15);
     make(&def);
@@ -99,7 +99,7 @@ void test_friction_holds_below_the_kinetic_angle_and_slides_above(void)
     cairn_body_id id = make(&def);
     run(120);
     ASSERT_NEAR(0.05, 0, x_of(id) + cairn_real_from_unit(s));
-    ASSERT_OK(cairn_body_set_material(world, id, &cairn_material_ice));
+    ASSERT_OK(set_material(id, &cairn_material_ice));
     run(60);
     TEST_ASSERT_TRUE(x_of(id) < -cairn_real_from_unit(s) - CAIRN_F(0.3));
 }
@@ -116,7 +116,7 @@ void test_overlapping_bodies_part(void)
 void test_an_elastic_ball_rebounds(void)
 {
     put_floor();
-    cairn_body_def def = def_at(&ball, 0, CAIRN_F(1.5));
+    yard_def def = def_at(&ball, 0, CAIRN_F(1.5));
     def.material = &elastic;
     cairn_body_id id = make(&def);
     cairn_real top = 0;
@@ -143,7 +143,7 @@ void test_a_spring_sags_by_the_weight_over_the_stiffness(void)
 
 void test_sensors_report_and_do_not_push(void)
 {
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(-2));
+    yard_def def = def_at(&box, 0, CAIRN_F(-2));
     def.type = CAIRN_STATIC;
     def.sensor = true;
     cairn_body_id sensor = make(&def), id = put(&ball, 0, 0);
@@ -160,7 +160,7 @@ void test_a_ball_turns_a_flipper_by_the_law_of_angular_momentum(void)
     static const cairn_material smooth = CAIRN_MATERIAL(0, 0);
     open_yard(0);
     ASSERT_OK(cairn_world_use_slides_solver(world, 10));
-    cairn_body_def def = def_at(&beam, 0, 0);
+    yard_def def = def_at(&beam, 0, 0);
     def.fixed_position = true;
     def.material = &smooth;
     cairn_body_id pivot = make(&def);

@@ -74,7 +74,7 @@ void test_angular_momentum_is_conserved_in_an_off_centre_collision(void)
 void test_without_restitution_two_bodies_go_on_together(void)
 {
     open_yard(0);
-    cairn_body_def def = def_at(&ball, CAIRN_F(2), 0);
+    yard_def def = def_at(&ball, CAIRN_F(2), 0);
     def.density = cairn_wide_from_int(3);
     cairn_body_id heavy = make(&def), light = put_moving(&ball, 0, 0, CAIRN_F(8), 0);
     run(60);
@@ -88,7 +88,7 @@ void test_collisions_do_not_gain_energy(void)
     cairn_body_id ids[6];
     open_yard(0);
     for (int i = 0; i < 6; i++) {
-        cairn_body_def def = def_at(&box, CAIRN_F(1.5) * (i - 3), CAIRN_F(0.2) * (i & 1));
+        yard_def def = def_at(&box, CAIRN_F(1.5) * (i - 3), CAIRN_F(0.2) * (i & 1));
         def.velocity = at(CAIRN_F(-1) * (i - 3), CAIRN_F(0.5));
         def.angular_velocity = CAIRN_F(0.5) * (i - 2);
         ids[i] = make(&def);
@@ -178,7 +178,7 @@ void test_a_stack_leans_on_any_axis_that_gravity_has(void)
 {
     open_yard(0);
     ASSERT_OK(cairn_world_set_gravity(world, at(CAIRN_F(10), 0)));
-    cairn_body_def def = def_at(&ground, CAIRN_F(3), 0);
+    yard_def def = def_at(&ground, CAIRN_F(3), 0);
     def.type = CAIRN_STATIC;
     def.angle = CAIRN_DEGREES(90);
     make(&def);
@@ -193,7 +193,7 @@ void test_a_stack_leans_on_any_axis_that_gravity_has(void)
 static void assert_two_rest(int low_density, int high_density, int steps, cairn_real sink)
 {
     put_floor();
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(0.5));
+    yard_def def = def_at(&box, 0, CAIRN_F(0.5));
     def.density = cairn_wide_from_int(low_density);
     cairn_body_id low = make(&def);
     def.position.y = CAIRN_F(1.5);
@@ -266,7 +266,7 @@ void test_a_sliding_disc_comes_to_roll_at_two_thirds_of_its_speed(void)
 /* g sin / (1 + I / m r^2) = 2/3 g sin 10 = 1.157655; w r = v */
 void test_a_disc_rolls_down_a_slope_with_two_thirds_of_the_acceleration(void)
 {
-    cairn_body_def def = def_at(&ground, 0, 0);
+    yard_def def = def_at(&ground, 0, 0);
     def.type = CAIRN_STATIC;
     def.angle = CAIRN_DEGREES(-10);
     make(&def);
@@ -280,7 +280,7 @@ void test_a_disc_rolls_down_a_slope_with_two_thirds_of_the_acceleration(void)
 void test_a_rolling_disc_goes_on_rolling(void)
 {
     put_floor();
-    cairn_body_def def = def_at(&ball, CAIRN_F(-10), CAIRN_F(0.5));
+    yard_def def = def_at(&ball, CAIRN_F(-10), CAIRN_F(0.5));
     def.velocity.x = CAIRN_F(2);
     def.angular_velocity = CAIRN_F(-4);
     cairn_body_id id = make(&def);
@@ -292,7 +292,7 @@ void test_a_rolling_disc_goes_on_rolling(void)
 void test_a_spinning_disc_on_ice_without_friction_keeps_spinning(void)
 {
     put_floor();
-    cairn_body_def def = def_at(&ball, 0, CAIRN_F(0.5));
+    yard_def def = def_at(&ball, 0, CAIRN_F(0.5));
     def.angular_velocity = CAIRN_F(10);
     def.material = &smooth;
     cairn_body_id id = make(&def);
@@ -321,7 +321,7 @@ void test_a_plank_over_an_edge_stays_or_tips_by_where_its_centre_is(void)
 void test_a_tilted_box_falls_flat(void)
 {
     put_floor();
-    cairn_body_def def = def_at(&box, 0, CAIRN_F(1));
+    yard_def def = def_at(&box, 0, CAIRN_F(1));
     def.angle = CAIRN_DEGREES(30);
     cairn_body_id id = make(&def);
     run(240);
@@ -335,7 +335,7 @@ void test_a_tilted_box_falls_flat(void)
 void test_a_see_saw_balances_by_the_law_of_the_lever(void)
 {
     static const cairn_shape beam = CAIRN_BOX(CAIRN_F(6), CAIRN_F(0.2));
-    cairn_body_def def = def_at(&beam, 0, 0);
+    yard_def def = def_at(&beam, 0, 0);
     def.fixed_position = true;
     def.density = cairn_wide_from_int(10);
     cairn_body_id see_saw = make(&def);

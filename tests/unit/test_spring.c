@@ -115,7 +115,7 @@ void test_a_damper_without_stiffness_stops_without_pulling(void)
 /* The pair swings about its centre of mass with the reduced mass. */
 void test_a_spring_between_two_bodies_swings_with_the_reduced_mass(void)
 {
-    cairn_body_def other = def_at(&box, CAIRN_F(10), 0);
+    yard_def other = def_at(&box, CAIRN_F(10), 0);
     other.density = cairn_wide_from_int(3);
     cairn_body_id heavy = make(&other), light = put(&box, CAIRN_F(13), 0);
     def = cairn_spring_def_default(heavy, light);
@@ -210,7 +210,7 @@ void test_a_new_rate_does_not_change_the_frequency(void)
  */
 void test_a_spring_at_the_end_of_a_pivot_swings_it_by_its_lever(void)
 {
-    cairn_body_def pivot = def_at(&beam, CAIRN_F(20), 0);
+    yard_def pivot = def_at(&beam, CAIRN_F(20), 0);
     pivot.fixed_position = true;
     pivot.angle = CAIRN_RADIANS(0.05);
     cairn_body_id id = make(&pivot), above = put_static(&peg, CAIRN_F(21), CAIRN_F(4));
@@ -229,7 +229,7 @@ void test_a_box_that_hangs_by_its_corner_hangs_straight(void)
 {
     ASSERT_OK(cairn_world_set_gravity(world, at(0, CAIRN_F(-10))));
     ASSERT_OK(cairn_body_set_transform(world, body, at(0, CAIRN_F(-2)), 0));
-    ASSERT_OK(cairn_body_set_damping(world, body, CAIRN_F(2), CAIRN_F(2)));
+    ASSERT_OK(set_damping(body, CAIRN_F(2), CAIRN_F(2)));
     def.anchor_b = at(CAIRN_F(0.5), CAIRN_F(0.5));
     def.rest_length = CAIRN_F(1);
     def.damping = cairn_wide_from_int(10);
@@ -244,7 +244,7 @@ void test_a_box_that_hangs_by_its_corner_hangs_straight(void)
 void test_anchors_are_in_the_frame_of_the_body(void)
 {
     cairn_vec2 a, b;
-    cairn_body_def odd = def_at(&corner.shape, CAIRN_F(5), CAIRN_F(5));
+    yard_def odd = def_at(&corner.shape, CAIRN_F(5), CAIRN_F(5));
     odd.angle = CAIRN_DEGREES(90);
     cairn_body_id id = make(&odd);
     def.b = id;
@@ -331,7 +331,7 @@ void test_coinciding_anchors_are_pushed_apart_along_x(void)
 
 void test_a_spring_between_two_that_do_not_move_does_nothing(void)
 {
-    cairn_body_def lift = def_at(&peg, CAIRN_F(4), 0);
+    yard_def lift = def_at(&peg, CAIRN_F(4), 0);
     lift.type = CAIRN_KINEMATIC;
     cairn_body_id platform = make(&lift), other = put_static(&peg, CAIRN_F(5), 0);
     def = cairn_spring_def_default(platform, other);
@@ -348,7 +348,7 @@ void test_a_spring_between_two_that_do_not_move_does_nothing(void)
 /* A spring to a moving platform pulls after it. */
 void test_a_kinematic_end_pulls_the_other(void)
 {
-    cairn_body_def lift = def_at(&peg, CAIRN_F(4), CAIRN_F(5));
+    yard_def lift = def_at(&peg, CAIRN_F(4), CAIRN_F(5));
     lift.type = CAIRN_KINEMATIC;
     lift.velocity.x = CAIRN_F(1);
     cairn_body_id platform = make(&lift), load = put(&box, CAIRN_F(2), CAIRN_F(5));
@@ -363,7 +363,7 @@ void test_a_kinematic_end_pulls_the_other(void)
 
 void test_a_spring_on_a_body_of_fixed_rotation_and_position_is_as_on_a_wall(void)
 {
-    cairn_body_def post = def_at(&peg, CAIRN_F(20), 0);
+    yard_def post = def_at(&peg, CAIRN_F(20), 0);
     post.fixed_rotation = post.fixed_position = true;
     post.density = cairn_wide_from_int(1000000);
     cairn_body_id fixed = make(&post), load = put(&box, CAIRN_F(22), 0);

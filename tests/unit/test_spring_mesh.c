@@ -33,7 +33,7 @@ void tearDown(void) {}
 /* A bead of 1 kg that meets nothing. */
 static cairn_body_id put_bead(cairn_real x, cairn_real y, bool held)
 {
-    cairn_body_def def = def_at(&bead, x, y);
+    yard_def def = def_at(&bead, x, y);
     def.type = held ? CAIRN_STATIC : CAIRN_DYNAMIC;
     def.density = cairn_wide_div(cairn_wide_from_int(64 * 7), cairn_wide_from_int(22)); /* pi / 64 m^2 */
     def.layer = 1;
@@ -145,7 +145,7 @@ void test_a_box_on_springs_at_its_corners_sags_and_keeps_upright(void)
 
 void test_a_pivot_in_a_mesh_turns_and_stays_where_it_is(void)
 {
-    cairn_body_def def = def_at(&box, 0, 0);
+    yard_def def = def_at(&box, 0, 0);
     def.fixed_position = true;
     cairn_body_id pivot = make(&def);
     for (int i = 0; i < 3; i++) {

@@ -20,7 +20,7 @@ void tearDown(void) {}
 
 static cairn_body_id slide(const cairn_shape *shape, cairn_real height, cairn_real speed, cairn_real spin)
 {
-    cairn_body_def def = def_at(shape, CAIRN_F(1.2), height);
+    yard_def def = def_at(shape, CAIRN_F(1.2), height);
     def.velocity.x = speed;
     def.angular_velocity = spin;
     def.material = spin == 0 ? &ice : &cairn_material_default;
@@ -81,7 +81,7 @@ static cairn_body_id hold_against_wall(cairn_real y, cairn_real vy, int steps)
     for (int i = 0; i < 7; i++) {
         put_static(&tile, CAIRN_F(5), i * CAIRN_F(1) + CAIRN_F(0.5));
     }
-    cairn_body_def def = def_at(&player, CAIRN_F(4.2), y);
+    yard_def def = def_at(&player, CAIRN_F(4.2), y);
     def.fixed_rotation = true;
     def.material = &ice;
     def.velocity.y = vy;
@@ -113,7 +113,7 @@ void test_a_player_that_lands_on_a_joint_runs_on(void)
 {
     static const cairn_shape player = CAIRN_BOX(CAIRN_F(0.6), CAIRN_F(0.9));
     for (int k = 0; k < 12; k++) {
-        cairn_body_def def = def_at(&player, CAIRN_F(8) + k * CAIRN_F(0.02), CAIRN_F(1.2) + k * CAIRN_F(0.01));
+        yard_def def = def_at(&player, CAIRN_F(8) + k * CAIRN_F(0.02), CAIRN_F(1.2) + k * CAIRN_F(0.01));
         def.fixed_rotation = true;
         def.material = &ice;
         def.velocity.y = CAIRN_F(-5);
@@ -130,7 +130,7 @@ void test_a_player_that_lands_on_a_joint_runs_on(void)
 
 void test_a_crate_lands_beyond_a_joint_as_on_one_floor(void)
 {
-    cairn_body_def def = def_at(&crate, CAIRN_F(1.05), CAIRN_F(0.45));
+    yard_def def = def_at(&crate, CAIRN_F(1.05), CAIRN_F(0.45));
     def.velocity = cairn_vec2_of(CAIRN_F(3), CAIRN_F(-1.5));
     def.material = &ice;
     cairn_body_id id = make(&def);
@@ -144,7 +144,7 @@ void test_a_ball_bounces_off_a_joint_as_off_one_floor(void)
 {
     static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0.0, 0.0, 0.9, 0.0);
     for (int i = 0; i < 8; i++) {
-        cairn_body_def def = def_at(&marble, CAIRN_F(3.36) + i * CAIRN_F(0.02), CAIRN_F(0.5));
+        yard_def def = def_at(&marble, CAIRN_F(3.36) + i * CAIRN_F(0.02), CAIRN_F(0.5));
         def.velocity = cairn_vec2_of(CAIRN_F(3), CAIRN_F(-4));
         def.material = &rubber;
         cairn_body_id id = make(&def);

@@ -78,8 +78,8 @@ void test_two_worlds_share_nothing(void)
 {
     cairn_world *other = cairn_world_init(&annex, cairn_vec2_of(0, 0));
     cairn_body_id here = put(&ball, 0, 0);
-    cairn_body_def def = cairn_body_def_default(&ball);
-    cairn_body_id there = cairn_body_create(other, &def);
+    yard_def def = def_at(&ball, 0, 0);
+    cairn_body_id there = make_in(other, &def);
     run(60);
     ASSERT_SAME(0, cairn_body_position(other, there).y);
     ASSERT_NEAR(3 * LSB, -5, y_of(here));
@@ -214,7 +214,7 @@ void test_a_parabola_is_the_same_for_any_number_of_substeps(void)
 
 void test_a_new_rate_keeps_velocities_and_spins(void)
 {
-    cairn_body_def def = def_at(&box, 0, 0);
+    yard_def def = def_at(&box, 0, 0);
     def.velocity = cairn_vec2_of(CAIRN_F(5), CAIRN_F(-3));
     def.angular_velocity = CAIRN_F(2);
     cairn_body_id id = make(&def);
@@ -225,7 +225,7 @@ void test_a_new_rate_keeps_velocities_and_spins(void)
 
 void test_a_new_number_of_substeps_keeps_velocities_and_spins(void)
 {
-    cairn_body_def def = def_at(&box, 0, 0);
+    yard_def def = def_at(&box, 0, 0);
     def.velocity = cairn_vec2_of(CAIRN_F(5), CAIRN_F(-3));
     def.angular_velocity = CAIRN_F(2);
     cairn_body_id id = make(&def);
@@ -333,15 +333,15 @@ static void fill_bodies(cairn_body_id *ids)
 void test_a_full_body_pool_refuses_and_changes_nothing(void)
 {
     cairn_body_id ids[YARD_BODIES];
-    cairn_body_def def = cairn_body_def_default(&ball);
+    yard_def def = def_at(&ball, 0, 0);
     fill_bodies(ids);
     TEST_ASSERT_EQUAL_UINT16(YARD_BODIES, stats()->bodies);
-    ASSERT_REFUSED_ID(CAIRN_ERROR_FULL, cairn_body_create(world, &def));
+    ASSERT_REFUSED_ID(CAIRN_ERROR_FULL, make_in(world, &def));
     ASSERT_OK(cairn_body_destroy(world, ids[5]));
     TEST_ASSERT_EQUAL_UINT16(YARD_BODIES - 1, stats()->bodies);
     cairn_body_id again = make(&def);
     TEST_ASSERT_EQUAL_UINT16(ids[5].index, again.index);
-    ASSERT_REFUSED_ID(CAIRN_ERROR_FULL, cairn_body_create(world, &def));
+    ASSERT_REFUSED_ID(CAIRN_ERROR_FULL, make_in(world, &def));
 }
 
 void test_an_id_is_stale_after_destroy_and_after_the_place_is_used_again(void)
@@ -372,11 +372,11 @@ void test_ids_that_never_were_are_stale(void)
 /* After 65535 uses of a place its generations begin again, and never with that of the null id. */
 void test_generations_wrap_round_zero(void)
 {
-    cairn_body_def def = cairn_body_def_default(&ball);
+    yard_def def = def_at(&ball, 0, 0);
     cairn_body_id first = make(&def), id = first;
     for (int32_t i = 0; i < 65535; i++) {
         cairn_body_destroy(world, id);
-        id = cairn_body_create(world, &def);
+        id = make_in(world, &def);
         if (id.generation == 0 || id.index != first.index) {
             TEST_FAIL_MESSAGE("generation 0");
         }

@@ -17,7 +17,7 @@ typedef struct any_shape {
     const cairn_shape *shape; /* one of the two */
 } any_shape;
 
-/* Shapes and materials stay where they are: the engine points to them. */
+/* Shapes, materials and models stay where they are: the engine points to them. */
 typedef struct list {
     void **items;
     int count, capacity;
@@ -29,7 +29,7 @@ struct shim_world {
     cairn_mesh_storage meshes;
     cairn_quadtree_storage tree;
     cairn_world *world;
-    list shapes, materials;
+    list shapes, materials, models;
 };
 
 /* ---- numbers ---- */
@@ -201,6 +201,7 @@ void shim_destroy(shim_world *w)
     free(w->tree.entries);
     forget(&w->shapes);
     forget(&w->materials);
+    forget(&w->models);
     free(w);
 }
 
@@ -291,6 +292,16 @@ int shim_material(shim_world *w, double static_friction, double kinetic_friction
 
 /* ---- bodies ---- */
 
+/* Each body has a model of its own here: scenes are made once, and any of it may be changed. */
+static const cairn_body_model *keep_model(shim_world *w, const cairn_body_model *model)
+{
+    cairn_body_model *item = calloc(1, sizeof *item);
+    if (item != NULL) {
+        *item = *model;
+    }
+    return item_of(&w->models, keep(&w->models, item));
+}
+
 int64_t shim_body(shim_world *w, int shape, int material, int type, int flags, double density, double x, double y, double angle,
                   double vx, double vy, double omega)
 {
@@ -298,21 +309,24 @@ int64_t shim_body(shim_world *w, int shape, int material, int type, int flags, d
     if (item == NULL || (material != 0 && item_of(&w->materials, material) == NULL)) {
         return CAIRN_ERROR_NULL;
     }
-    cairn_body_def def = cairn_body_def_default(item->shape);
+    cairn_body_model model = cairn_body_model_default(item->shape);
     if (material != 0) {
-        def.material = item_of(&w->materials, material);
+        model.material = item_of(&w->materials, material);
     }
-    def.type = (cairn_body_type)type;
-    def.position = pair_of(x, y);
-    def.angle = angle_of(angle);
-    def.velocity = pair_of(vx, vy);
-    def.angular_velocity = real_of(omega);
-    def.density = wide_of(density);
-    def.sensor = (flags & SHIM_SENSOR) != 0;
-    def.fixed_rotation = (flags & SHIM_FIXED_ROTATION) != 0;
-    def.fixed_position = (flags & SHIM_FIXED_POSITION) != 0;
-    const cairn_body_id id = cairn_body_create(w->world, &def);
-    return cairn_body_id_is_null(id) ? cairn_world_error(w->world) : name_of_body(id);
+    model.type = (cairn_body_type)type;
+    model.density = wide_of(density);
+    model.sensor = (flags & SHIM_SENSOR) != 0;
+    model.fixed_rotation = (flags & SHIM_FIXED_ROTATION) != 0;
+    model.fixed_position = (flags & SHIM_FIXED_POSITION) != 0;
+    const cairn_body_id id = cairn_body_create(w->world, keep_model(w, &model), pair_of(x, y), angle_of(angle));
+    if (cairn_body_id_is_null(id)) {
+        return cairn_world_error(w->world);
+    }
+    if (model.type != CAIRN_STATIC) {
+        (void)cairn_body_set_velocity(w->world, id, pair_of(vx, vy));
+        (void)cairn_body_set_angular_velocity(w->world, id, real_of(omega));
+    }
+    return name_of_body(id);
 }
 
 int shim_body_destroy(shim_world *w, int64_t body) { return cairn_body_destroy(w->world, body_of(body)); }
@@ -325,17 +339,32 @@ int shim_body_set_velocity(shim_world *w, int64_t body, double vx, double vy, do
     const cairn_status status = cairn_body_set_velocity(w->world, body_of(body), pair_of(vx, vy));
     return status != CAIRN_OK ? status : cairn_body_set_angular_velocity(w->world, body_of(body), real_of(omega));
 }
+/* The model of a body, to be changed; any, where there is no such body, which cairn_body_set_model() refuses. */
+static cairn_body_model model_of(const shim_world *w, int64_t body)
+{
+    const cairn_body_model *model = cairn_body_get_model(w->world, body_of(body));
+    return model != NULL ? *model : cairn_body_model_default(NULL);
+}
+
 int shim_body_set_layers(shim_world *w, int64_t body, int layer, int mask)
 {
-    return cairn_body_set_layers(w->world, body_of(body), (uint16_t)layer, (uint16_t)mask);
+    cairn_body_model model = model_of(w, body);
+    model.layer = (uint16_t)layer;
+    model.mask = (uint16_t)mask;
+    return cairn_body_set_model(w->world, body_of(body), keep_model(w, &model));
 }
 int shim_body_set_damping(shim_world *w, int64_t body, double linear, double angular)
 {
-    return cairn_body_set_damping(w->world, body_of(body), real_of(linear), real_of(angular));
+    cairn_body_model model = model_of(w, body);
+    model.damping = real_of(linear);
+    model.angular_damping = real_of(angular);
+    return cairn_body_set_model(w->world, body_of(body), keep_model(w, &model));
 }
 int shim_body_set_gravity_scale(shim_world *w, int64_t body, double scale)
 {
-    return cairn_body_set_gravity_scale(w->world, body_of(body), real_of(scale));
+    cairn_body_model model = model_of(w, body);
+    model.gravity_scale = real_of(scale);
+    return cairn_body_set_model(w->world, body_of(body), keep_model(w, &model));
 }
 int shim_body_force(shim_world *w, int64_t body, double fx, double fy, double x, double y)
 {

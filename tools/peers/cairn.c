@@ -8,18 +8,11 @@ static cairn_world *world;
 
 static bool add_body(const cairn_scene_body *entry)
 {
-    cairn_body_def def = cairn_body_def_default(cairn_the_scene.shapes[entry->shape]);
-    def.material = &cairn_the_scene.materials[entry->material];
-    def.type = entry->type;
-    def.position = entry->position;
-    def.angle = entry->angle;
-    def.velocity = entry->velocity;
-    def.angular_velocity = entry->angular_velocity;
-    def.density = entry->density;
-    def.layer = entry->layer;
-    def.mask = entry->mask;
-    def.fixed_rotation = entry->fixed_rotation;
-    return !cairn_body_id_is_null(cairn_body_create(world, &def));
+    const cairn_body_model *model = &cairn_the_scene.models[entry->model];
+    const cairn_body_id id = cairn_body_create(world, model, entry->position, entry->angle);
+    return !cairn_body_id_is_null(id) &&
+           (model->type == CAIRN_STATIC || (cairn_body_set_velocity(world, id, entry->velocity) == CAIRN_OK &&
+                                            cairn_body_set_angular_velocity(world, id, entry->angular_velocity) == CAIRN_OK));
 }
 
 /* Bodies of a fresh world take the places of the pool in order. */

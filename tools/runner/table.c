@@ -89,18 +89,30 @@ static void shapes(const cairn_scene *scene)
     printf(" };\n\n");
 }
 
+static void model(const cairn_scene *scene, const cairn_body_model *m)
+{
+    int shape = 0;
+    while (scene->shapes[shape] != m->shape) {
+        shape++;
+    }
+    printf("    { .shape = &shape_%d%s, .material = &materials[%d], .type = %s, ", shape, m->shape->polygon != NULL ? ".shape" : "",
+           (int)(m->material - scene->materials), m->type == CAIRN_STATIC ? "CAIRN_STATIC" : "CAIRN_DYNAMIC");
+    wide("density", m->density);
+    printf(",\n      .gravity_scale = ");
+    real(m->gravity_scale);
+    printf(", .layer = %u, .mask = %u, .sensor = %s, .fixed_rotation = %s, .fixed_position = %s },\n", m->layer, m->mask,
+           truth(m->sensor), truth(m->fixed_rotation), truth(m->fixed_position));
+}
+
 static void body(const cairn_scene_body *b)
 {
-    printf("    { .shape = %d, .material = %d, .type = %s,\n      ", b->shape, b->material, b->type == CAIRN_STATIC ? "CAIRN_STATIC" : "CAIRN_DYNAMIC");
+    printf("    { .model = %u, ", b->model);
     pair("position", b->position);
     printf(", .angle = %ld, ", (long)b->angle);
     pair("velocity", b->velocity);
     printf(", .angular_velocity = ");
     real(b->angular_velocity);
-    printf(",\n      ");
-    wide("density", b->density);
-    printf(", .layer = %u, .mask = %u, .sensor = %s, .fixed_rotation = %s, .fixed_position = %s },\n", b->layer, b->mask,
-           truth(b->sensor), truth(b->fixed_rotation), truth(b->fixed_position));
+    printf(" },\n");
 }
 
 static void spring(const cairn_scene_spring *s)
@@ -124,7 +136,11 @@ static void spring(const cairn_scene_spring *s)
 
 static void lists(const cairn_scene *scene)
 {
-    printf("static const cairn_scene_body bodies[] = {\n");
+    printf("static const cairn_body_model models[] = {\n");
+    for (int i = 0; i < scene->model_count; i++) {
+        model(scene, &scene->models[i]);
+    }
+    printf("};\n\nstatic const cairn_scene_body bodies[] = {\n");
     for (int i = 0; i < scene->body_count; i++) {
         body(&scene->bodies[i]);
     }
@@ -148,9 +164,9 @@ static void scene_itself(const cairn_scene *scene, const char *name)
     printf("    .solver = %s,\n", scene->solver == CAIRN_SCENE_SLIDES ? "CAIRN_SCENE_SLIDES" : "CAIRN_SCENE_SOFT");
     printf("    .broad = %s,\n", scene->broad == CAIRN_SCENE_QUADTREE ? "CAIRN_SCENE_QUADTREE" : "CAIRN_SCENE_PAIRS");
     printf("    .sleep = %s,\n", truth(scene->sleep));
-    printf("    .material_count = %u,\n    .shape_count = %u,\n    .body_count = %u,\n    .spring_count = %u,\n",
-           scene->material_count, scene->shape_count, scene->body_count, scene->spring_count);
-    printf("    .materials = materials,\n    .shapes = shapes,\n    .bodies = bodies,\n    .springs = %s,\n};\n\n",
+    printf("    .material_count = %u,\n    .shape_count = %u,\n    .model_count = %u,\n    .body_count = %u,\n    .spring_count = %u,\n",
+           scene->material_count, scene->shape_count, scene->model_count, scene->body_count, scene->spring_count);
+    printf("    .materials = materials,\n    .shapes = shapes,\n    .models = models,\n    .bodies = bodies,\n    .springs = %s,\n};\n\n",
            scene->spring_count > 0 ? "springs" : "NULL");
 }
 
