@@ -172,7 +172,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         arbiter = NULL;
     }
     if (arbiter != NULL && cairn_arbiter_holds(world, arbiter)) {
-        bool touches = arbiter->rows[0].gap <= 0 || arbiter->rows[1].gap <= 0;
+        bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
         arbiter->flags |= (uint8_t)(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
         world->uneven |= arbiter->block & CAIRN_BLOCK_UNEVEN;
         return;

@@ -1,9 +1,14 @@
 /*
- * Contacts at rest hold: between the narrow phase and the rows. As long as two bodies on two points of one contact have hardly
- * moved to one another, the rows of the step before serve again: the points only follow the bodies' motion. It saves the
- * narrow phase, and it is what lets tall stacks stand: levers that follow every lean let a column of soft contacts buckle.
- * Two more memories, of what a solver of velocities forgets: a contact that sticks takes back what it slipped, and a
- * load that rests on a point for seconds no longer presses it in.
+ * Contacts at rest hold: between the narrow phase and the rows. As long as two bodies have hardly moved to one another, the
+ * rows of the step before serve again: the points only follow the bodies' motion. It saves the narrow phase, and
+ * where there are two points it is what lets tall stacks stand: levers that follow every lean let a column of soft contacts buckle.
+ * There are two more memories then, of what a solver of velocities forgets: a contact that sticks takes back what it
+ * slipped, and a load that rests on a point for seconds no longer presses it in.
+ *
+ * A contact of one point has no past of this kind: its `slip` counts how far the two have moved to one another in any way
+ * since its row was made, from less than nothing up to zero, where it ends. How far is allowed bounds what is wrong by then: for a way s and a
+ * radius r the normal has turned by s / r at most, and the gap is off by s^2 / 2r. A second point that nears was out of
+ * the narrow phase's reach when the row was made, which is five times that way or more.
  */
 #include "engine.h"
 
@@ -13,6 +18,8 @@
 #define HOLD_GAP CAIRN_MOTION(0.002)
 /* and neither body has turned by more than this. */
 #define HOLD_TURN CAIRN_RADIANS(0.005)
+/* A row of one point serves for this way at most, in sizes of the smaller body. */
+#define HOLD_SHARE CAIRN_RATIO(1.0 / 256)
 /* A longer way in a step is no rest; and below it no sum of this file wraps. */
 #define HOLD_WAY CAIRN_MOTION(1.0 / 16)
 /* Not a slip that a contact may have: all of its past is forgotten. */
@@ -35,19 +42,47 @@ void cairn_arbiter_let_go(cairn_arbiter *arbiter)
     arbiter->pull = 0;
 }
 
-void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->rows[0].gap = 2 * HOLD_GAP; }
+void cairn_arbiter_doubt(cairn_arbiter *arbiter)
+{
+    if (arbiter->count > 1) {
+        arbiter->rows[0].gap = 2 * HOLD_GAP;
+    } else {
+        cairn_arbiter_let_go(arbiter);
+    }
+}
+
+/* A circle's radius, a polygon's; the longer side of a box. */
+static cairn_real size_of(const cairn_shape *shape) { return shape->size.x > shape->size.y ? shape->size.x : shape->size.y; }
+
+/* How far two bodies that touch in one point may move to one another before their row is made anew. */
+static cairn_motion way_of_hold(const cairn_body *a, const cairn_body *b)
+{
+    cairn_real size_a = size_of(a->model->shape), size_b = size_of(b->model->shape), size = size_a < size_b ? size_a : size_b;
+    size = size < CAIRN_F(0.512) ? size : CAIRN_F(0.512); /* HOLD_SLIP, then */
+    return cairn_motion_ratio(cairn_motion_from_offset(cairn_offset_from_real(size)), HOLD_SHARE);
+}
 
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
 {
-    arbiter->heading_a = cairn_heading_of(world->bodies[arbiter->a].angle);
-    arbiter->heading_b = cairn_heading_of(world->bodies[arbiter->b].angle);
+    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    if (arbiter->count < 2) {
+        arbiter->slip = -way_of_hold(a, b);
+        return;
+    }
+    arbiter->heading_a = cairn_heading_of(a->angle);
+    arbiter->heading_b = cairn_heading_of(b->angle);
 }
 
 bool cairn_arbiter_holds(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    return arbiter->count == 2 && magnitude(arbiter->slip) < HOLD_SLIP && arbiter->rows[0].gap <= HOLD_GAP && arbiter->rows[1].gap <= HOLD_GAP
-        && !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
+    if ((arbiter->flags & CAIRN_ARBITER_SENSOR) || ((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))) {
+        return false;
+    }
+    if (arbiter->count < 2) {
+        return arbiter->count == 1 && arbiter->slip < 0;
+    }
+    return magnitude(arbiter->slip) < HOLD_SLIP && arbiter->rows[0].gap <= HOLD_GAP && arbiter->rows[1].gap <= HOLD_GAP
         && cairn_heading_is_near(arbiter->heading_a, a->angle, HOLD_TURN) && cairn_heading_is_near(arbiter->heading_b, b->angle, HOLD_TURN);
 }
 
@@ -114,14 +149,40 @@ static void settle(const cairn_world *world, cairn_row *row, bool at_rest)
     }
 }
 
+/* Bounds how far turning has moved a surface: it lies within 2 sqrt(2) radii of gyration of the centre. A circle's does not move. */
+static cairn_motion swept(const cairn_body *body)
+{
+    return body->model->shape->kind->outline == NULL ? 0 : 3 * magnitude(body->dw);
+}
+
+static void follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    cairn_row *row = &arbiter->rows[0];
+    relative_motion by = motion_of(a, b);
+    arbiter->pull = 0;
+    row->load = 0;
+    if (arbiter->slip < 0) {
+        arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + swept(a) + swept(b);
+    }
+    if (arbiter->slip < 0) { /* else the gap stays what it was when the step began, which tells what came in flight */
+        open_gap(row, cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y) + turning(&by, row->lever_a, row->lever_b));
+    }
+}
+
 void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    bool others = (arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || ((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT);
-    if (arbiter->count < 2 || others || world->slop != 0 || !is_within(a->dx, a->dy, a->dw, HOLD_WAY) || !is_within(b->dx, b->dy, b->dw, HOLD_WAY)
-        || arbiter->rows[0].gap <= -world->push_out_limit || arbiter->rows[1].gap <= -world->push_out_limit) {
+    bool two = arbiter->count > 1;
+    bool others = (arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || (arbiter->rows[0].feature & CAIRN_ROW_IN_FLIGHT)
+               || (two && (arbiter->rows[1].feature & CAIRN_ROW_IN_FLIGHT));
+    if (arbiter->count == 0 || others || world->slop != 0 || !is_within(a->dx, a->dy, a->dw, HOLD_WAY) || !is_within(b->dx, b->dy, b->dw, HOLD_WAY)
+        || arbiter->rows[0].gap <= -world->push_out_limit || (two && arbiter->rows[1].gap <= -world->push_out_limit)) {
         cairn_arbiter_let_go(arbiter); /* blocks and impacts have their own ways */
         arbiter->rows[0].load = arbiter->rows[1].load = 0;
+        return;
+    }
+    if (!two) {
+        follow_one(arbiter, a, b);
         return;
     }
     bool at_rest = is_within(a->vx, a->vy, a->w, world->rest_limit) && is_within(b->vx, b->vy, b->w, world->rest_limit);

@@ -62,6 +62,8 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     if (!kept) {
         arbiter->friction_impulse = 0;
         arbiter->slip = arbiter->pull = 0;
+    } else if (old_count < 2) {
+        cairn_arbiter_let_go(arbiter); /* where it stuck is not known */
     }
     arbiter->count = (uint8_t)manifold->count;
 }

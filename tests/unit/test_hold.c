@@ -138,3 +138,84 @@ void test_a_heading_tells_small_turns_also_across_the_wrap(void)
 #endif
     TEST_ASSERT_FALSE(cairn_heading_is_near(heading, CAIRN_RADIANS(-3.1390), CAIRN_RADIANS(0.001)));
 }
+
+/* ---- contacts of one point ---- */
+
+static const cairn_shape disc = CAIRN_CIRCLE(CAIRN_F(0.5));
+
+void test_the_row_of_a_disc_at_rest_serves_until_the_disc_has_moved_by_two_millimetres(void)
+{
+    cairn_body_id id = put(&disc, 0, CAIRN_F(0.5));
+    run(60);
+    cairn_motion left = yard_arbiters[0].slip;
+    TEST_ASSERT_TRUE(left < 0 && left > -CAIRN_MOTION(0.00201));
+    ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(0.03), 0))); /* half a millimetre a step, less as it starts to roll */
+    run(2);
+    TEST_ASSERT_TRUE(yard_arbiters[0].slip > left && yard_arbiters[0].slip < 0);
+    run(120);
+    ASSERT_NEAR(0.002, 0.04, x_of(id)); /* two thirds of the way at first */
+    ASSERT_NEAR(0.0001, 0.5, y_of(id));
+}
+
+void test_the_way_that_a_row_serves_goes_by_the_smaller_body(void)
+{
+    static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.0256));
+    put(&marble, 0, CAIRN_F(0.0256));
+    run(1);
+    TEST_ASSERT_TRUE(yard_arbiters[0].slip >= -CAIRN_MOTION(0.000101));
+}
+
+/* Kept rows do not hold back what rolls. */
+void test_a_disc_rolls_off_another_one_as_if_it_was_looked_at_in_each_step(void)
+{
+    put_static(&disc, 0, CAIRN_F(0.5));
+    cairn_body_id id = put(&disc, CAIRN_F(0.02), CAIRN_F(1.4998));
+    run(30);
+    /* angle = 0.02 cosh(sqrt(2/3 g / R) t), R = 1 m: 0.0391 m after half a second */
+    ASSERT_NEAR(0.001, 0.0391, x_of(id));
+    run(120);
+    ASSERT_NEAR(0.001, 0.5, y_of(id));
+}
+
+void test_the_second_point_of_a_plank_that_is_let_down_slowly_is_seen_in_time(void)
+{
+    static const cairn_shape plank = CAIRN_BOX(CAIRN_F(4), CAIRN_F(0.2));
+    yard_def def = def_at(&plank, 0, CAIRN_F(0.135));
+    def.angle = CAIRN_RADIANS(0.0175); /* one end touches, the other is 7 cm up */
+    cairn_body_id id = make(&def);
+    for (int i = 0; i < 60; i++) {
+        ASSERT_OK(cairn_body_set_angular_velocity(world, id, CAIRN_F(-0.02)));
+        run(1);
+        TEST_ASSERT_TRUE(y_of(id) > CAIRN_F(0.099));
+    }
+    run(60);
+    ASSERT_NEAR(0.001, 0.1, y_of(id));
+    TEST_ASSERT_EQUAL_UINT16(2, stats()->points);
+}
+
+void test_a_heap_of_discs_stands_and_comes_to_rest(void)
+{
+    cairn_body_id top = cairn_body_id_null();
+    static const cairn_shape wall = CAIRN_BOX(CAIRN_F(0.2), CAIRN_F(4));
+    put_static(&wall, CAIRN_F(-1.61), CAIRN_F(2));
+    put_static(&wall, CAIRN_F(1.61), CAIRN_F(2));
+    for (int row = 0; row < 3; row++) {
+        for (int i = 0; i < 3 - row; i++) {
+            top = put(&disc, CAIRN_F(0.5) * (2 * i - 2 + row), CAIRN_F(0.5) + row * CAIRN_F(0.867));
+        }
+    }
+    run(900);
+    ASSERT_NEAR(0.002, 0, x_of(top));
+    ASSERT_NEAR(0.02, 2.232, y_of(top));
+    ASSERT_NEAR(LSB, 0, vx_of(top));
+}
+
+void test_a_disc_driven_into_another_one_is_looked_at_anew(void)
+{
+    cairn_body_id left = put(&disc, 0, CAIRN_F(0.5)), right = put(&disc, CAIRN_F(1), CAIRN_F(0.5));
+    run(120);
+    ASSERT_OK(cairn_body_set_velocity(world, left, at(CAIRN_F(2), 0)));
+    run(2);
+    TEST_ASSERT_TRUE(vx_of(right) > CAIRN_F(0.4));
+    TEST_ASSERT_TRUE(x_of(right) - x_of(left) > CAIRN_F(0.995));
+}
