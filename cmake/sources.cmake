@@ -38,5 +38,7 @@ set(CAIRN_SOURCES
     src/spring_path.c
     src/spring_reach.c
     src/spring_solve.c
+    src/sweep.c
+    src/sweep_careful.c
     src/world.c
 )

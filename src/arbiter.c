@@ -72,9 +72,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uin
     if ((body_a->flags | body_b->flags) & CAIRN_BODY_SENSOR) {
         arbiter->flags |= CAIRN_ARBITER_SENSOR;
     }
-    if ((body_a->flags | body_b->flags) & CAIRN_BODY_FIXED_POSITION) {
-        arbiter->flags |= CAIRN_ARBITER_PIVOT;
-    } else if (cairn_body_type_of(body_a) == CAIRN_STATIC) {
+    if (cairn_body_type_of(body_a) == CAIRN_STATIC) {
         arbiter->flags |= CAIRN_ARBITER_ON_STATIC;
     }
     mix_materials(arbiter, body_a->model->material, body_b->model->material);

@@ -121,6 +121,7 @@ static void forget_former(cairn_world *world)
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (is_solved(arbiter) && cairn_block_of(arbiter) == DISSOLVED) {
             set_number(arbiter, 0);
+            arbiter->path = CAIRN_PATH_CAREFUL;
         }
         if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && arbiter->block_mark != 0) {
             forget_impulses(arbiter, 0);

@@ -48,8 +48,8 @@ enum {
     CAIRN_ARBITER_TOUCHED = 1 << 3,  /* touching in the step before */
     CAIRN_ARBITER_BOUNCY = 1 << 4,
     CAIRN_ARBITER_SOLVED = 1 << 6,   /* pushes in this step */
-    CAIRN_ARBITER_ON_STATIC = 1 << 7, /* a is static, and b free to move: the quick path */
-    CAIRN_ARBITER_PIVOT = 1 << 5     /* a body of fixed position takes part: its linear share is not its angular one */
+    CAIRN_ARBITER_ON_STATIC = 1 << 7, /* a is static */
+    CAIRN_ARBITER_CAREFUL = 1 << 5   /* a body of fixed position takes part, or a long lever: not for the quick ways of sweep.c */
 };
 
 /* arbiter.block: the number of its block, 0 if it is in none, and: */
@@ -59,6 +59,15 @@ enum {
 };
 #define CAIRN_UNEVEN 30
 #define CAIRN_UNEVEN_SHARE CAIRN_SHARE(1.0 / 31) /* the heavy one's share then */
+
+/* arbiter.path: which way its sweeps take in this step, see sweep.c */
+enum {
+    CAIRN_PATH_NONE,
+    CAIRN_PATH_CAREFUL,   /* anything */
+    CAIRN_PATH_ON_STATIC, /* all of a change is b's */
+    CAIRN_PATH_EVEN,      /* bodies of one mass: each takes half */
+    CAIRN_PATH_SHARED
+};
 
 /* The flag if it is to be set. */
 static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
@@ -233,8 +242,7 @@ static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap
 
 /* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
 #define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */
-#define CAIRN_SOFT_MASS CAIRN_RATIO(0.94785)          /* of the effective mass */
-#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(854.0 / 16384) /* of the accumulated impulse that is given back */
+#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(854.0 / 16384) /* of the accumulated impulse that is given back, and that the effective mass lacks */
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
 #define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.49)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */

@@ -68,6 +68,17 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     arbiter->count = (uint8_t)manifold->count;
 }
 
+/* The sweeps' quick ways have room for short levers and for bodies that are free to move. */
+static void mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    bool careful = ((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) || !cairn_lever_is_short(arbiter->friction_lever_a)
+                || !cairn_lever_is_short(arbiter->friction_lever_b);
+    for (int i = 0; i < arbiter->count; i++) {
+        careful = careful || !cairn_lever_is_short(arbiter->rows[i].lever_a) || !cairn_lever_is_short(arbiter->rows[i].lever_b);
+    }
+    arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)CAIRN_ARBITER_CAREFUL) | cairn_flag_if(careful, CAIRN_ARBITER_CAREFUL));
+}
+
 /* How much nearer the points of a row come until the time of a meeting: the separation now is so much larger. */
 static cairn_offset way_until(const cairn_world *world, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter,
                               const cairn_row *row, cairn_unit time)
@@ -104,12 +115,12 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
         row->lever_b = lever(b, b_arm - arm);
         row->gap = gap_of(world, point->separation + way_until(world, a, b, arbiter, row, manifold->time));
         row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
-        row->soft_mass = cairn_ratio_mul(row->mass, CAIRN_SOFT_MASS);
     }
     /* Friction acts where the surfaces meet: each body's own, as long as they are apart. */
     cairn_offset to_surface = apart > 0 ? cairn_offset_half(apart) : 0;
     arbiter->friction_lever_a = lever(a, height - to_surface);
     arbiter->friction_lever_b = lever(b, height + to_surface - b_height);
     arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    mark_careful(arbiter, a, b);
     cairn_arbiter_take_hold(world, arbiter);
 }

@@ -18,7 +18,6 @@ typedef struct cairn_row {
     cairn_motion gap;     /* at the start of the step: the separation where positive, else the push-out per sub-step */
     cairn_lever lever_a, lever_b;
     cairn_ratio mass;      /* effective mass over the reduced mass */
-    cairn_ratio soft_mass; /* the same, softened */
     uint16_t feature;      /* which corner meets which edge: matches points from step to step */
 } cairn_row;
 
@@ -28,6 +27,7 @@ typedef struct cairn_arbiter {
     uint8_t flags;
     cairn_dir normal_x, normal_y;
     uint8_t block;    /* see block.c: the number of its block, and whether the masses differ much */
+    uint8_t path;     /* which way the sweeps take in this step, see sweep.c */
     uint8_t exponent; /* of all its impulses: times 2^exponent; 0 outside of blocks */
     cairn_heading heading_a; /* of the bodies when the rows were made */
     cairn_share share_a, share_b; /* (1/m) / (1/mA + 1/mB): what each takes of a relative velocity change */

@@ -152,6 +152,18 @@ static inline cairn_dir cairn_dir_negate(cairn_dir d) { return -d; }
 static inline cairn_motion cairn_motion_clamp(cairn_motion x, cairn_motion limit) { return cairn_clamp(x, limit); }
 static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return a + b; }
 static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+static inline cairn_motion cairn_motion_half_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return (x * dx + y * dy) / 2; }
+static inline cairn_motion cairn_motion_half_dir(cairn_motion a, cairn_dir d) { return a * d / 2; }
+static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j) { return a * j / 2; }
+#define CAIRN_LEVER_SHORT 2.0
+static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
+static inline bool cairn_lever_is_short(cairn_lever j) { return fabs(j) <= CAIRN_LEVER_SHORT; }
+static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit) { return x < 0 ? 0 : x > limit ? limit : x; }
+typedef double cairn_size;
+static inline cairn_size cairn_size_of(cairn_motion x) { return fabs(x); }
+static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return fabs(x) > size ? fabs(x) : size; }
+static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < limit; }
+static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return a * f; }
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return a * r; }

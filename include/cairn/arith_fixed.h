@@ -63,7 +63,8 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #define CAIRN_PORT_MUL32(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
 #endif
 #ifndef CAIRN_PORT_DOT16
-#define CAIRN_PORT_DOT16(a, b, c, d) ((int32_t)(((int64_t)(a) * (b) + (int64_t)(c) * (d) + 8192) >> 14))
+#define CAIRN_PORT_DOT16(a, b, c, d, shift) \
+    ((int32_t)(((int64_t)(a) * (b) + (int64_t)(c) * (d) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
 #endif
 #ifndef CAIRN_PORT_DOT32
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) \
@@ -102,8 +103,8 @@ static inline int32_t cairn_mul16(int32_t a, int32_t b, int shift) { return CAIR
 /* a * b / 2^shift, 1 <= shift <= 32. The result must fit. */
 static inline int32_t cairn_mul32(int32_t a, int32_t b, int shift) { return CAIRN_PORT_MUL32(a, b, shift); }
 
-/* (a * b + c * d) / 2^14, b and d components of a cairn_dir (at most 2^14 in size), rounded once. The result must fit. */
-static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d) { return CAIRN_PORT_DOT16(a, b, c, d); }
+/* (a * b + c * d) / 2^shift, b and d at most 2^14 in size, rounded once, 1 <= shift <= 16. The result must fit. */
+static inline int32_t cairn_dot16(int32_t a, int32_t b, int32_t c, int32_t d, int shift) { return CAIRN_PORT_DOT16(a, b, c, d, shift); }
 
 /* (a * b + c * d) / 2^shift, rounded once, 1 <= shift <= 32. The result must fit. */
 static inline int32_t cairn_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
@@ -321,10 +322,33 @@ static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { re
 /* x dx + y dy */
 static inline cairn_motion cairn_motion_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy)
 {
-    return cairn_dot16(x, dx, y, dy);
+    return cairn_dot16(x, dx, y, dy, 14);
+}
+/* Half of that. */
+static inline cairn_motion cairn_motion_half_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy)
+{
+    return cairn_dot16(x, dx, y, dy, 15);
 }
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return cairn_mul16(a, d, 14); }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return cairn_mul16(a, j, 13); }
+/* Half of the two above. */
+static inline cairn_motion cairn_motion_half_dir(cairn_motion a, cairn_dir d) { return cairn_mul16(a, d, 15); }
+static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j) { return cairn_mul16(a, j, 14); }
+/* a j + b k; both levers at most CAIRN_LEVER_SHORT */
+#define CAIRN_LEVER_SHORT 16384
+static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return cairn_dot16(a, j, b, k, 13); }
+static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
+/* x into [0, limit] */
+static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
+{
+    if ((uint32_t)x > (uint32_t)limit) { return x < 0 ? 0 : limit; }
+    return x;
+}
+/* The size of several motions at once: as great as the greatest, less than twice as great, and perhaps one unit short. */
+typedef uint32_t cairn_size;
+static inline cairn_size cairn_size_of(cairn_motion x) { return (uint32_t)(x ^ (x >> 31)); }
+static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return size | cairn_size_of(x); }
+static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit; }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {
@@ -338,6 +362,8 @@ static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_shar
     *carry = (cairn_carry)((exact - (int64_t)whole * 1073741824) >> 15);
     return whole;
 }
+/* a f, or a little less: cheap; 0 <= a, 0 <= f <= 1 */
+static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return cairn_mul16(a, (int16_t)(f >> 6), 14); }
 /* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {

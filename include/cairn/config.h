@@ -19,4 +19,11 @@
 #define CAIRN_ASSERT(condition) ((void)0)
 #endif
 
+/* For functions whose arguments are mostly constants: they must not become calls. */
+#if defined(__GNUC__)
+#define CAIRN_INLINE static inline __attribute__((always_inline))
+#else
+#define CAIRN_INLINE static inline
+#endif
+
 #endif

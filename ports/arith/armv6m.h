@@ -10,7 +10,7 @@
 
 #define CAIRN_PORT_MUL16(a, b, shift) cairn_armv6m_mul16(a, b, shift)
 #define CAIRN_PORT_MUL32(a, b, shift) cairn_armv6m_mul32(a, b, shift)
-#define CAIRN_PORT_DOT16(a, b, c, d) cairn_armv6m_dot16(a, b, c, d)
+#define CAIRN_PORT_DOT16(a, b, c, d, shift) cairn_armv6m_dot16(a, b, c, d, shift)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv6m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_PRODUCT(a, b) cairn_armv6m_product(a, b)
 
@@ -111,10 +111,10 @@ CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_mul16(int32_t a, int32_t b, int shift)
 }
 
 /* b and d are at most 2^14 in size, so the sum of the low products still fits. */
-CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_dot16(int32_t a, int32_t b, int32_t c, int32_t d)
+CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_dot16(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
 {
-    uint32_t high = (uint32_t)((a >> 16) * b + (c >> 16) * d) << 2;
-    return cairn_armv6m_round(high, cairn_armv6m_low(a) * b + cairn_armv6m_low(c) * d, 14);
+    uint32_t high = (uint32_t)((a >> 16) * b + (c >> 16) * d) << (16 - shift);
+    return cairn_armv6m_round(high, cairn_armv6m_low(a) * b + cairn_armv6m_low(c) * d, shift);
 }
 
 static inline int32_t cairn_armv6m_mul32(int32_t a, int32_t b, int shift)

@@ -12,7 +12,7 @@
 
 #define CAIRN_PORT_MUL16(a, b, shift) cairn_armv7m_mul32(a, b, shift)
 #define CAIRN_PORT_MUL32(a, b, shift) cairn_armv7m_mul32(a, b, shift)
-#define CAIRN_PORT_DOT16(a, b, c, d) cairn_armv7m_dot32(a, b, c, d, 14)
+#define CAIRN_PORT_DOT16(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_CLZ(x) cairn_armv7m_clz(x)
 #define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)

@@ -171,7 +171,7 @@ static void dot16(tally *t, const arguments *x)
 {
     int16_t b = (int16_t)(x->b % 16385), d = (int16_t)(x->d % 16385);
     long double exact = ((long double)(x->a / 2) * b + (long double)(x->c / 2) * d) / 16384;
-    note(t, (double)(cairn_dot16(x->a / 2, b, x->c / 2, d) - exact), x->a, x->b);
+    note(t, (double)(cairn_dot16(x->a / 2, b, x->c / 2, d, 14) - exact), x->a, x->b);
 }
 
 static void dot32(tally *t, const arguments *x)

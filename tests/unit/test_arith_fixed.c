@@ -102,8 +102,8 @@ void test_products_round_halves_upwards(void)
     TEST_ASSERT_EQUAL_INT32(-1, cairn_mul16(-3, 1, 1));
     TEST_ASSERT_EQUAL_INT32(1, cairn_mul32(1 << 30, 2, 32));
     TEST_ASSERT_EQUAL_INT32(0, cairn_mul32(-(1 << 30), 2, 32));
-    TEST_ASSERT_EQUAL_INT32(1, cairn_dot16(8192, 1, 0, 0));
-    TEST_ASSERT_EQUAL_INT32(0, cairn_dot16(-8192, 1, 0, 0));
+    TEST_ASSERT_EQUAL_INT32(1, cairn_dot16(8192, 1, 0, 0, 14));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_dot16(-8192, 1, 0, 0, 14));
     TEST_ASSERT_EQUAL_INT32(1, cairn_dot32(1 << 15, 1 << 13, 1 << 15, 1 << 13, 30));
 }
 
@@ -114,7 +114,7 @@ void test_products_are_the_nearest(void)
         int32_t dir_b = b % 16385, dir_d = d % 16385;
         expect(nearest_up((int64_t)a * dir_b, 16384), cairn_mul16(a, dir_b, 14), a, dir_b);
         expect(nearest_up((int64_t)a * b, (int64_t)1 << 32), cairn_mul32(a, b, 32), a, b);
-        expect(nearest_up((int64_t)a / 2 * dir_b + (int64_t)c / 2 * dir_d, 16384), cairn_dot16(a / 2, dir_b, c / 2, dir_d), a, c);
+        expect(nearest_up((int64_t)a / 2 * dir_b + (int64_t)c / 2 * dir_d, 16384), cairn_dot16(a / 2, dir_b, c / 2, dir_d, 14), a, c);
         expect(nearest_up((int64_t)a * (b / 4) + (int64_t)c * (d / 4), (int64_t)1 << 30), cairn_dot32(a, b / 4, c, d / 4, 30), a, b);
     }
 }

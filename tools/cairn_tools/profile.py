@@ -21,7 +21,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "broad": ("world.c", "broad_pairs.c", "quadtree*", "cairn_body_refresh_extents", "cairn_body_reach"),
     "narrow": ("arbiter.c", "shape_*", "collide_*", "continuous.c", "contact.c"),
     "prepare": ("rows.c",),
-    "sub-steps": ("solver_*", "block*", "bounce.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
+    "sub-steps": ("solver_*", "sweep*", "block*", "bounce.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
                   "cairn_body_limit_speed"),
     "finish": ("motion.c", "sleep.c"),
 }  # fmt: skip

@@ -1,0 +1,260 @@
+/*
+ * The sweeps over the contacts of a step, by the ways that most contacts can take: no point is apart, bodies free to move and of
+ * less than CAIRN_UNEVEN times one another's mass, levers at most 2, friction at most 1. Which way a contact takes is chosen once
+ * a step. Nothing is cut off within them, so nothing may wrap:
+ *
+ * A pair enters only if its speeds and spins are below CALM = 1/32 (with 4 sub-steps of 1/240 s, 7.5 m/s). A row's velocity is then
+ * at most 2 sqrt(2) / 32 + 2 * 2 / 32 = 0.22. Push-outs are at most 0.2 and the softening takes at most 0.052 of 2.49, so the first
+ * row of a biased pass changes by 0.55, the velocity of the second by at most 1 + 2 * 2 = 5 times that, and all stays below the 8
+ * of Q4.28. A relax pass and its friction take kinetic energy out of the pair: bodies of one mass leave it at sqrt(6) / 32 at
+ * most, with up to 30 times the mass the lighter one at sqrt(3 * 31) / 32 = 0.30. Only impulses that are given back because the
+ * pressure on which friction rested is gone add some: hence RUB.
+ */
+#include "sweep.h"
+
+#define CALM CAIRN_MOTION(1.0 / 32)
+/* The most by which friction's impulse changes in a pass: 0.30 and 2 * 0.25 are below CAIRN_SWEEP_SPIN. */
+#define RUB CAIRN_MOTION(0.25)
+/* Push-outs beyond this are left to the careful way. */
+#define PUSH CAIRN_MOTION(0.125)
+
+/* What a pass makes of a pair. */
+typedef struct pair_state {
+    cairn_motion linear;       /* relative velocity along the normal */
+    cairn_motion back_a;       /* a's spin, negative */
+    cairn_motion spin_b;
+    cairn_motion push, push_a; /* impulses so far; a's part of them where it is not all or half */
+} pair_state;
+
+CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path)
+{
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(b->vx), b->vy), b->w);
+    if (path != CAIRN_PATH_ON_STATIC) {
+        size = cairn_size_with(cairn_size_with(cairn_size_with(size, a->vx), a->vy), a->w);
+    }
+    return cairn_size_is_below(size, CALM);
+}
+
+CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b, cairn_motion x, cairn_motion y, const cairn_arbiter *arbiter)
+{
+    pair_state pair;
+    pair.linear = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
+    pair.back_a = -a->w;
+    pair.spin_b = b->w;
+    pair.push = pair.push_a = 0;
+    return pair;
+}
+
+/* The velocity of a row, of which this is the linear part. */
+CAIRN_INLINE cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb, int path)
+{
+    return linear + (path == CAIRN_PATH_ON_STATIC ? cairn_motion_lever(pair->spin_b, jb) : cairn_motion_levers(pair->spin_b, jb, pair->back_a, ja));
+}
+
+/* What an impulse does to the spins; returns a's part. */
+CAIRN_INLINE cairn_motion turn(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion change, cairn_lever ja, cairn_lever jb, int path)
+{
+    if (path == CAIRN_PATH_ON_STATIC) {
+        pair->spin_b += cairn_motion_lever(change, jb);
+        return 0;
+    }
+    if (path == CAIRN_PATH_EVEN) {
+        pair->spin_b += cairn_motion_half_lever(change, jb);
+        pair->back_a += cairn_motion_half_lever(change, ja);
+        return 0;
+    }
+    cairn_motion of_a = cairn_motion_share(change, arbiter->share_a);
+    pair->spin_b += cairn_motion_lever(change - of_a, jb);
+    pair->back_a += cairn_motion_lever(of_a, ja);
+    return of_a;
+}
+
+CAIRN_INLINE void press(pair_state *pair, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion change, int path)
+{
+    pair->linear += change;
+    pair->push += change;
+    pair->push_a += turn(pair, arbiter, change, row->lever_a, row->lever_b, path);
+}
+
+/* Store the pair, with impulses along the normal only. */
+CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, int path)
+{
+    cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
+    b->w = pair->spin_b;
+    if (path == CAIRN_PATH_ON_STATIC) {
+        b->vx += cairn_motion_dir(pair->push, nx);
+        b->vy += cairn_motion_dir(pair->push, ny);
+        return;
+    }
+    a->w = -pair->back_a;
+    if (path == CAIRN_PATH_EVEN) {
+        cairn_motion x = cairn_motion_half_dir(pair->push, nx), y = cairn_motion_half_dir(pair->push, ny);
+        a->vx -= x;
+        a->vy -= y;
+        b->vx += x;
+        b->vy += y;
+        return;
+    }
+    cairn_motion of_b = pair->push - pair->push_a;
+    a->vx -= cairn_motion_dir(pair->push_a, nx);
+    a->vy -= cairn_motion_dir(pair->push_a, ny);
+    b->vx += cairn_motion_dir(of_b, nx);
+    b->vy += cairn_motion_dir(of_b, ny);
+}
+
+/* Store the pair, with friction's impulse as well: t = (-ny, nx). */
+CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion rub, int path)
+{
+    cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
+    cairn_motion rub_a = turn(pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
+    b->w = pair->spin_b;
+    if (path == CAIRN_PATH_ON_STATIC) {
+        b->vx += cairn_motion_along(pair->push, -rub, nx, ny);
+        b->vy += cairn_motion_along(rub, pair->push, nx, ny);
+        return;
+    }
+    a->w = -pair->back_a;
+    if (path == CAIRN_PATH_EVEN) {
+        cairn_motion x = cairn_motion_half_along(pair->push, -rub, nx, ny), y = cairn_motion_half_along(rub, pair->push, nx, ny);
+        a->vx -= x;
+        a->vy -= y;
+        b->vx += x;
+        b->vy += y;
+        return;
+    }
+    cairn_motion of_b = pair->push - pair->push_a, rub_b = rub - rub_a;
+    a->vx -= cairn_motion_along(pair->push_a, -rub_a, nx, ny);
+    a->vy -= cairn_motion_along(rub_a, pair->push_a, nx, ny);
+    b->vx += cairn_motion_along(of_b, -rub_b, nx, ny);
+    b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
+}
+
+/* ---- the passes by path; false if the pair is not calm ---- */
+
+CAIRN_INLINE bool warm_start(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+{
+    cairn_size size = cairn_size_of(arbiter->friction_impulse);
+    for (int i = 0; i < arbiter->count; i++) {
+        size = cairn_size_with(size, arbiter->rows[i].impulse);
+    }
+    if (!cairn_size_is_below(size, CALM) || !is_calm(a, b, path)) {
+        return false;
+    }
+    pair_state pair;
+    pair.back_a = -a->w;
+    pair.spin_b = b->w;
+    pair.push = pair.push_a = pair.linear = 0;
+    for (int i = 0; i < arbiter->count; i++) {
+        press(&pair, arbiter, &arbiter->rows[i], arbiter->rows[i].impulse, path);
+    }
+    finish(&pair, a, b, arbiter, arbiter->friction_impulse, path);
+    return true;
+}
+
+CAIRN_INLINE bool biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+{
+    if (!is_calm(a, b, path)) {
+        return false;
+    }
+    bool alone = path == CAIRN_PATH_ON_STATIC;
+    pair_state pair = load(a, b, alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter);
+    cairn_row *row = arbiter->rows, *end = row + arbiter->count;
+    for (; row != end; row++) {
+        cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
+        cairn_motion old = row->impulse, rigid = old - cairn_motion_ratio(u + row->gap, row->mass);
+        cairn_motion impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);
+        row->impulse = impulse;
+        press(&pair, arbiter, row, impulse - old, path);
+    }
+    push_apart(&pair, a, b, arbiter, path);
+    return true;
+}
+
+/* Friction's impulse: within a cone that is a little narrower than the static one it sticks. */
+CAIRN_INLINE cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion pressure)
+{
+    cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + arbiter->pull, arbiter->friction_mass);
+    cairn_motion within = cairn_motion_factor_below(pressure, arbiter->static_friction);
+    if (impulse > within || -impulse > within) {
+        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(arbiter, u, impulse) - old, RUB);
+    }
+    return impulse;
+}
+
+CAIRN_INLINE bool relax(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+{
+    if (!is_calm(a, b, path)) {
+        return false;
+    }
+    bool alone = path == CAIRN_PATH_ON_STATIC;
+    cairn_motion x = alone ? b->vx : b->vx - a->vx, y = alone ? b->vy : b->vy - a->vy, pressure = 0;
+    pair_state pair = load(a, b, x, y, arbiter);
+    cairn_motion across = cairn_motion_along(y, -x, arbiter->normal_x, arbiter->normal_y);
+    cairn_row *row = arbiter->rows, *end = row + arbiter->count;
+    for (; row != end; row++) {
+        cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
+        cairn_motion old = row->impulse, impulse = cairn_motion_above_zero(old - cairn_motion_ratio(u, row->mass), CAIRN_IMPULSE_MAX);
+        row->impulse = impulse;
+        pressure += impulse;
+        press(&pair, arbiter, row, impulse - old, path);
+    }
+    cairn_motion impulse = rubbed(arbiter, velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path), pressure);
+    cairn_motion rub = impulse - arbiter->friction_impulse;
+    arbiter->friction_impulse = impulse;
+    finish(&pair, a, b, arbiter, rub, path);
+    return true;
+}
+
+/* ---- over the world ---- */
+
+static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
+{
+    if (!(arbiter->flags & CAIRN_ARBITER_SOLVED) || (arbiter->block & CAIRN_BLOCK_NUMBER)) {
+        return CAIRN_PATH_NONE;
+    }
+    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->rows[0].gap > 0 || (arbiter->count > 1 && arbiter->rows[1].gap > 0)
+        || arbiter->static_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+        return CAIRN_PATH_CAREFUL;
+    }
+    return arbiter->flags & CAIRN_ARBITER_ON_STATIC ? CAIRN_PATH_ON_STATIC : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN : CAIRN_PATH_SHARED;
+}
+
+void cairn_sweep_choose(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        arbiter->path = (uint8_t)path_of(world, arbiter);
+    }
+}
+
+/* One pass over all contacts, each by its path. */
+#define SWEEP(pass, careful) \
+    for (uint16_t place = 0; place < world->arbiter_count; place++) { \
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place); \
+        int path = arbiter->path; \
+        if (path == CAIRN_PATH_NONE) { \
+            continue; \
+        } \
+        cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b]; \
+        bool done = path == CAIRN_PATH_EVEN ? pass(a, b, arbiter, CAIRN_PATH_EVEN) \
+                  : path == CAIRN_PATH_ON_STATIC ? pass(a, b, arbiter, CAIRN_PATH_ON_STATIC) \
+                  : path == CAIRN_PATH_SHARED && pass(a, b, arbiter, CAIRN_PATH_SHARED); \
+        if (!done) { \
+            careful(world, arbiter); \
+        } \
+    }
+
+void cairn_sweep_warm_start(cairn_world *world)
+{
+    SWEEP(warm_start, cairn_careful_warm_start)
+}
+
+void cairn_sweep_biased(cairn_world *world)
+{
+    SWEEP(biased, cairn_careful_biased_pass)
+}
+
+void cairn_sweep_relax(cairn_world *world)
+{
+    SWEEP(relax, cairn_careful_relax_pass)
+}

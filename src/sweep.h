@@ -1,0 +1,33 @@
+/* The passes of the soft solver over the contacts: sweep.c has the quick ways, sweep_careful.c what serves in all cases. */
+#ifndef CAIRN_SWEEP_H
+#define CAIRN_SWEEP_H
+
+#include "engine.h"
+
+/* ---- sweep.c ---- */
+/* Choose each contact's way: once a step, and again where contacts have changed within one. */
+void cairn_sweep_choose(cairn_world *world);
+/* Apply the impulses of the step before. */
+void cairn_sweep_warm_start(cairn_world *world);
+/* Soft and pushing out, without friction. */
+void cairn_sweep_biased(cairn_world *world);
+/* Rigid, with friction. */
+void cairn_sweep_relax(cairn_world *world);
+
+/* ---- sweep_careful.c: the same of one contact ---- */
+void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter);
+void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter);
+void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter);
+/* Friction's impulse within its cone, where it slips at u. */
+cairn_motion cairn_arbiter_rub(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse);
+
+/*
+ * A soft row's impulse from the rigid one: the mass scaled by 1 - a3 and a3 of the impulse given back, but for the load that
+ * is carried. a3 is CAIRN_SOFT_IMPULSE; numerics in DESIGN.md.
+ */
+static inline cairn_motion cairn_softened(cairn_motion rigid, cairn_motion load)
+{
+    return rigid - cairn_motion_ratio(rigid - load, CAIRN_SOFT_IMPULSE);
+}
+
+#endif
