@@ -445,7 +445,35 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1);
 }
 
+/* Lengths below 8 mm, which have no more than 15 bits, and from 256 m, whose products are too long, are not remembered. */
+cairn_offset cairn_bearing_take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+{
+    cairn_unit x_part, y_part;
+    cairn_offset length = cairn_unit_along(x, y, &x_part, &y_part);
+    int shift = 17 - cairn_clz((uint32_t)length);
+    bearing->x = cairn_dir_from_unit(x_part);
+    bearing->y = cairn_dir_from_unit(y_part);
+    bearing->inverse = 0;
+    bearing->shift = 0;
+    if (shift > 0 && shift < 16) {
+        int32_t inverse = cairn_offset_fraction(16384 << shift, length) >> 14;
+        bearing->inverse = (uint16_t)(inverse > 65535 ? 65535 : inverse);
+        bearing->shift = (uint16_t)(shift - 1);
+    }
+    return length;
+}
+
 /* ---- coefficients ---- */
+
+cairn_gain cairn_gain_from_wide(cairn_wide k)
+{
+    int shift = -32 - k.exponent;
+    cairn_gain gain;
+    gain.mantissa = (int16_t)(shift < 0 ? INT16_MAX : shift > 30 ? 0 : k.mantissa >> 17);
+    gain.shift = (uint16_t)(shift < 0 || shift > 30 ? 0 : shift);
+    if (k.mantissa == 0) { gain.mantissa = 0; }
+    return gain;
+}
 
 /* 1 / f for f below 1, which no effective mass is */
 static cairn_ratio inverse_of_fraction(cairn_factor f)

@@ -126,6 +126,7 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     pool->springs = storage->springs;
     pool->capacity = storage->capacity;
     pool->end = 0;
+    pool->first = CAIRN_NONE;
     pool->changed = true;
     pool->entangled = false;
     pool->mesh = NULL;
@@ -290,8 +291,9 @@ cairn_status cairn_spring_anchors(cairn_world *world, cairn_spring_id id, cairn_
         return cairn_fail(world, CAIRN_ERROR_NULL);
     }
     measure(world, spring, &r);
-    *a = anchor_at(&world->bodies[spring->a], r.arm_a);
-    *b = anchor_at(&world->bodies[spring->b], r.arm_b);
+    bool turned = (spring->flags & CAIRN_SPRING_TURNED) != 0;
+    *(turned ? b : a) = anchor_at(&world->bodies[spring->a], r.arm_a);
+    *(turned ? a : b) = anchor_at(&world->bodies[spring->b], r.arm_b);
     return CAIRN_OK;
 }
 

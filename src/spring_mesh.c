@@ -415,21 +415,21 @@ static void factorise(const cairn_world *world, cairn_mesh *mesh, cairn_mesh_par
 static cairn_motion ask(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
 {
     cairn_motion most = 0;
-    cairn_unit turn = 0;
+    cairn_turn turn = 0;
     for (uint16_t i = part->link; i < part->link + part->links; i++) {
         cairn_mesh_link *link = &mesh->links[i];
         cairn_spring *spring = &world->springs->springs[link->spring];
         const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-        cairn_reach r;
-        cairn_unit turned = cairn_spring_aim(spring, a, b, &r, true);
+        cairn_turn turned;
+        cairn_offset length = cairn_spring_aim(spring, a, b, true, &turned);
         turn = turned > turn ? turned : turn;
-        link->pull = cairn_motion_from_offset_wide(r.length - spring->rest_length, link->position_gain);
+        link->pull = cairn_motion_from_offset_wide(length - spring->rest_length, link->position_gain);
         if (link->velocity_gain != 0) {
             link->pull = cairn_motion_add(link->pull, cairn_motion_share(cairn_spring_speed(spring, a, b), link->velocity_gain));
         }
         most = link->pull > most ? link->pull : -link->pull > most ? -link->pull : most;
     }
-    part->turned += turn;
+    part->turned += cairn_unit_from_turn(turn);
     return most;
 }
 

@@ -13,14 +13,11 @@
 /* A path goes on through a spring that turns by less than 72 degrees. */
 #define STRAIGHT CAIRN_UNIT(0.3)
 /* The equations are made anew when the springs of a path may have turned by this, rad. */
-#define STALE CAIRN_UNIT(0.02)
+#define STALE CAIRN_TURN(0.02)
 /* Least pivot of a path's equations. */
 #define PIVOT_MIN CAIRN_FACTOR(0.0009765625)
 
 /* ---- the cut ---- */
-
-static uint16_t start_of(const cairn_spring *spring) { return spring->flags & CAIRN_SPRING_BACKWARDS ? spring->b : spring->a; }
-static uint16_t end_of(const cairn_spring *spring) { return spring->flags & CAIRN_SPRING_BACKWARDS ? spring->a : spring->b; }
 
 cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t)
 {
@@ -28,15 +25,29 @@ cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t)
                           cairn_unit_from_dir(t->direction_y));
 }
 
-/*
- * The unused spring that goes on most straight from a body at the end (or, backwards, the start) of a spring; its
- * direction along the path is set. CAIRN_NONE if there is none.
- */
-static uint16_t continuation(cairn_world *world, const cairn_spring *spring, uint16_t body, bool at_end)
+/* Its two ends change places, so that it goes from a to b as its path does. */
+static void turn_round(cairn_spring *spring)
+{
+    uint16_t body = spring->a;
+    spring->a = spring->b;
+    spring->b = body;
+    cairn_offset x = spring->anchor_a.x, y = spring->anchor_a.y;
+    spring->anchor_a = spring->anchor_b;
+    spring->anchor_b.x = x;
+    spring->anchor_b.y = y;
+    cairn_lever lever = spring->lever_a;
+    spring->lever_a = cairn_lever_negate(spring->lever_b);
+    spring->lever_b = cairn_lever_negate(lever);
+    spring->direction_x = cairn_dir_negate(spring->direction_x);
+    spring->direction_y = cairn_dir_negate(spring->direction_y);
+    spring->flags ^= CAIRN_SPRING_TURNED;
+}
+
+/* The unused spring that goes on most straight from the b of a spring, or back from its a. CAIRN_NONE if there is none. */
+static uint16_t continuation(cairn_world *world, const cairn_spring *spring, bool at_end)
 {
     cairn_spring_pool *pool = world->springs;
-    uint16_t best = CAIRN_NONE;
-    bool best_backwards = false;
+    uint16_t body = at_end ? spring->b : spring->a, best = CAIRN_NONE;
     cairn_unit straightest = STRAIGHT;
     if (!cairn_body_is_dynamic(&world->bodies[body])) {
         return CAIRN_NONE;
@@ -46,17 +57,19 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, uin
         if (!cairn_spring_is_used(other) || (other->flags & CAIRN_SPRING_IN_PATH) || (other->a != body && other->b != body)) {
             continue;
         }
-        bool backwards = at_end ? other->b == body : other->a == body;
         cairn_unit c = cairn_spring_cosine(spring, other);
-        c = backwards != ((spring->flags & CAIRN_SPRING_BACKWARDS) != 0) ? -c : c;
+        c = (at_end ? other->a : other->b) == body ? c : -c;
         if (c > straightest) {
             straightest = c;
             best = i;
-            best_backwards = backwards;
         }
     }
     if (best != CAIRN_NONE) {
-        pool->springs[best].flags |= (uint16_t)(CAIRN_SPRING_IN_PATH | cairn_flag_if(best_backwards, CAIRN_SPRING_BACKWARDS));
+        cairn_spring *next = &pool->springs[best];
+        next->flags |= CAIRN_SPRING_IN_PATH;
+        if ((at_end ? next->a : next->b) != body) {
+            turn_round(next);
+        }
     }
     return best;
 }
@@ -64,35 +77,38 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, uin
 /* The path through an unused spring: on from its end, then back from its start. */
 static void make_path(cairn_world *world, uint16_t first)
 {
-    cairn_spring_pool *pool = world->springs;
+    cairn_spring *springs = world->springs->springs;
     uint16_t last = first, next;
-    pool->springs[first].flags |= CAIRN_SPRING_IN_PATH;
-    pool->springs[first].next = CAIRN_NONE;
-    while ((next = continuation(world, &pool->springs[last], end_of(&pool->springs[last]), true)) != CAIRN_NONE) {
-        pool->springs[last].next = next;
-        pool->springs[next].next = CAIRN_NONE;
+    springs[first].flags |= CAIRN_SPRING_IN_PATH;
+    while ((next = continuation(world, &springs[last], true)) != CAIRN_NONE) {
+        springs[last].next = next;
+        springs[next].previous = last;
         last = next;
     }
-    while ((next = continuation(world, &pool->springs[first], start_of(&pool->springs[first]), false)) != CAIRN_NONE) {
-        pool->springs[next].next = first;
+    springs[last].next = CAIRN_NONE;
+    while ((next = continuation(world, &springs[first], false)) != CAIRN_NONE) {
+        springs[next].next = first;
+        springs[first].previous = next;
         first = next;
     }
-    pool->springs[first].flags |= CAIRN_SPRING_HEAD;
+    springs[first].flags |= CAIRN_SPRING_HEAD;
 }
 
 void cairn_spring_paths(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
+    uint16_t *link = &pool->first;
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
-        spring->flags &= (uint16_t)~(CAIRN_SPRING_HEAD | CAIRN_SPRING_IN_PATH | CAIRN_SPRING_BACKWARDS | CAIRN_SPRING_LEVERS);
+        if (spring->flags & CAIRN_SPRING_TURNED) {
+            turn_round(spring); /* what was before decides nothing */
+        }
+        spring->flags &= (uint16_t)~(CAIRN_SPRING_HEAD | CAIRN_SPRING_IN_PATH | CAIRN_SPRING_LEVERS);
         if (cairn_spring_is_used(spring)) {
             const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
             cairn_reach r;
             cairn_spring_measure(spring, a, b, &r);
             cairn_spring_point(spring, a, b, &r);
-            spring->heading_x = spring->direction_x;
-            spring->heading_y = spring->direction_y;
         }
     }
     for (uint16_t i = 0; i < pool->end; i++) {
@@ -100,23 +116,40 @@ void cairn_spring_paths(cairn_world *world)
             make_path(world, i);
         }
     }
+    for (uint16_t i = 0; i < pool->end; i++) {
+        cairn_spring *spring = &pool->springs[i];
+        spring->heading.x = spring->direction_x;
+        spring->heading.y = spring->direction_y;
+        if (spring->flags & CAIRN_SPRING_HEAD) {
+            *link = i;
+            link = &spring->previous;
+        }
+    }
+    *link = CAIRN_NONE;
 }
 
 /* ---- its equations ---- */
 
-/*
- * How an impulse along s changes the velocity along its neighbour t: the share of their common body, with a minus where
- * one begins and the other ends there.
- */
-static cairn_factor coupling(const cairn_world *world, const cairn_spring *s, const cairn_spring *t, uint16_t body)
+/* How an impulse along s changes the velocity along its neighbour t: the share of their common body, of which one begins where the other ends. */
+static cairn_factor coupling(const cairn_body *common, const cairn_spring *s, const cairn_spring *t, cairn_share share, cairn_lever js, cairn_lever jt)
 {
-    const cairn_body *common = &world->bodies[body];
-    cairn_share share = s->a == body ? s->share_a : s->share_b;
-    cairn_lever js = s->a == body ? s->lever_a : s->lever_b, jt = t->a == body ? t->lever_a : t->lever_b;
     cairn_factor linear = common->flags & CAIRN_BODY_FIXED_POSITION ? 0
                         : cairn_factor_mul(cairn_factor_from_share(share), cairn_factor_from_share(cairn_spring_cosine(s, t)));
-    cairn_factor whole = linear + cairn_factor_spin(share, js, jt);
-    return (s->a == body) == (t->a == body) ? whole : -whole;
+    return -linear - cairn_factor_spin(share, js, jt);
+}
+
+static bool is_within(cairn_factor f, cairn_factor limit) { return f <= limit && -f <= limit; }
+
+/* Are a spring's factors small enough for short products? Then they are rounded for those. */
+static bool shorten(cairn_spring *spring)
+{
+    bool mild = is_within(spring->before, CAIRN_FACTOR(1)) && is_within(spring->behind, CAIRN_FACTOR(1)) && spring->inverse_pivot < CAIRN_FACTOR(3.99);
+    if (mild) {
+        spring->before = cairn_factor_shortened(spring->before);
+        spring->behind = cairn_factor_shortened(spring->behind);
+        spring->inverse_pivot = cairn_factor_halved(spring->inverse_pivot);
+    }
+    return mild;
 }
 
 /* Eliminate downwards: what each spring takes from the one before (before), its pivot and what it gives to the one behind. */
@@ -124,17 +157,16 @@ void cairn_path_factorise(cairn_world *world, uint16_t head)
 {
     cairn_spring_pool *pool = world->springs;
     const cairn_spring *previous = NULL;
+    unsigned levers = 0;
     pool->springs[head].turned = 0;
     for (uint16_t i = head; i != CAIRN_NONE; i = pool->springs[i].next) {
         cairn_spring *spring = &pool->springs[i];
         cairn_factor gain = cairn_factor_mul(cairn_factor_from_share(CAIRN_SHARE(1) - spring->yield), cairn_spring_mass(world, spring));
         cairn_factor pivot = CAIRN_FACTOR(1);
         spring->before = 0;
-        if (cairn_spring_is_off_centre(spring)) {
-            pool->springs[head].flags |= CAIRN_SPRING_LEVERS;
-        }
+        levers |= cairn_flag_if(cairn_spring_is_off_centre(spring), CAIRN_SPRING_LEVERS);
         if (previous != NULL) {
-            spring->before = cairn_factor_mul(gain, coupling(world, previous, spring, start_of(spring)));
+            spring->before = cairn_factor_mul(gain, coupling(&world->bodies[spring->a], previous, spring, previous->share_b, previous->lever_b, spring->lever_a));
             pivot -= cairn_factor_mul(spring->before, previous->behind);
         }
         pivot = pivot < PIVOT_MIN ? PIVOT_MIN : pivot;
@@ -142,32 +174,54 @@ void cairn_path_factorise(cairn_world *world, uint16_t head)
         spring->behind = 0;
         if (spring->next != CAIRN_NONE) {
             const cairn_spring *next = &pool->springs[spring->next];
-            spring->behind = cairn_factor_mul(cairn_factor_mul(gain, coupling(world, next, spring, end_of(spring))), spring->inverse_pivot);
+            cairn_factor of_next = coupling(&world->bodies[spring->b], next, spring, next->share_a, next->lever_a, spring->lever_b);
+            spring->behind = cairn_factor_mul(cairn_factor_mul(gain, of_next), spring->inverse_pivot);
         }
+        spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_MILD) | cairn_flag_if(shorten(spring), CAIRN_SPRING_MILD));
         previous = spring;
     }
+    pool->springs[head].flags |= (uint16_t)levers;
 }
 
 /* ---- the sub-step ---- */
 
+/*
+ * No impulse of a path is above IMPULSE_MAX, no demand above DEMAND_MAX, m per sub-step: with factors of at most 1 no sum wraps, nor does
+ * a body's speed when two springs push it at once: 2 IMPULSE_MAX + CAIRN_SWEEP_SPEED < 8.
+ */
+#define IMPULSE_MAX CAIRN_MOTION(3.5)
+#define DEMAND_MAX CAIRN_MOTION(4)
+/* What may be multiplied by a mild spring's inverse pivot, 4 at most. */
+#define MILD_MAX CAIRN_MOTION(0.875)
+
 /* x more, within the limit; the velocity before goes along, so that their difference, which is repeated, stays as it is. */
-static void accelerate(cairn_motion *v, cairn_motion *u, cairn_motion x, cairn_motion limit)
+static inline void accelerate(cairn_motion *v, cairn_motion *u, cairn_motion x, cairn_motion limit)
 {
-    cairn_motion changed = cairn_motion_clamp(cairn_motion_add(*v, x), limit);
+    cairn_motion changed = cairn_motion_clamp(*v + x, limit);
     *u += changed - *v;
     *v = changed;
+}
+
+static void twist(cairn_body *body, cairn_motion impulse, cairn_lever lever)
+{
+    if (lever != 0) {
+        accelerate(&body->w, &body->uw, cairn_twist(impulse, lever), CAIRN_SWEEP_SPIN);
+    }
+}
+
+/* Both within 2 IMPULSE_MAX. */
+static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
+{
+    accelerate(&body->vx, &body->ux, x, CAIRN_SWEEP_SPEED);
+    accelerate(&body->vy, &body->uy, y, CAIRN_SWEEP_SPEED);
 }
 
 void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
     if (cairn_body_is_free_to_shift(body)) {
-        accelerate(&body->vx, &body->ux, x, CAIRN_SWEEP_SPEED);
-        accelerate(&body->vy, &body->uy, y, CAIRN_SWEEP_SPEED);
+        shift(body, cairn_motion_clamp(x, IMPULSE_MAX), cairn_motion_clamp(y, IMPULSE_MAX));
     }
-    if (turn != 0) {
-        accelerate(&body->w, &body->uw, turn, CAIRN_SWEEP_SPIN);
-    }
-    body->flags |= CAIRN_BODY_HELD;
+    accelerate(&body->w, &body->uw, cairn_motion_clamp(turn, 2 * IMPULSE_MAX), CAIRN_SWEEP_SPIN);
 }
 
 /* Velocity of b relative to a along the spring. */
@@ -177,63 +231,141 @@ cairn_motion cairn_spring_speed(const cairn_spring *spring, const cairn_body *a,
     return cairn_motion_add(u, cairn_motion_lever(b->w, spring->lever_b) - cairn_motion_lever(a->w, spring->lever_a));
 }
 
-/*
- * The right sides of a path's equations: D u + B C*, and what the spring yields to the impulse that the sweep before gave it.
- * How far its springs turned, at most.
- */
-static cairn_unit ask(cairn_world *world, uint16_t head, bool again)
+typedef struct place {
+    cairn_offset x, y;
+} place;
+
+/* Where a body's centre will be at the end of the sub-step, with its velocity as it is. */
+static inline place ahead_of(const cairn_body *body)
 {
-    cairn_spring_pool *pool = world->springs;
-    cairn_unit most = 0;
-    for (uint16_t i = head; i != CAIRN_NONE; i = pool->springs[i].next) {
-        cairn_spring *spring = &pool->springs[i];
-        const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-        cairn_reach r;
-        cairn_unit turned = cairn_spring_aim(spring, a, b, &r, false);
+    place p;
+    p.x = cairn_coordinate_ahead(body->x, body->x_residue, body->dx + body->vx);
+    p.y = cairn_coordinate_ahead(body->y, body->y_residue, body->dy + body->vy);
+    return p;
+}
+
+/* B C* */
+static inline cairn_motion pull(const cairn_spring *spring, cairn_offset elongation)
+{
+    return cairn_offset_is_short(elongation) ? cairn_motion_gain(elongation, spring->pull)
+         : cairn_motion_clamp(cairn_motion_from_offset_wide(elongation, spring->position_gain), DEMAND_MAX);
+}
+
+/* D u + B C* of a spring in general. */
+static cairn_motion demand_with_levers(const cairn_world *world, cairn_spring *spring, cairn_turn *turned)
+{
+    const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    cairn_offset length = cairn_spring_aim(spring, a, b, false, turned);
+    cairn_motion demand = pull(spring, length - spring->rest_length);
+    demand = cairn_motion_add(demand, cairn_motion_share(cairn_spring_speed(spring, a, b), spring->velocity_gain));
+    return cairn_motion_clamp(cairn_motion_factor(demand, cairn_spring_mass(world, spring)), DEMAND_MAX);
+}
+
+/* The right sides of a path's equations: D u + B C*. How far its springs turned, at most. */
+static cairn_turn ask(cairn_world *world, uint16_t head)
+{
+    cairn_spring *springs = world->springs->springs;
+    cairn_turn most = 0;
+    const cairn_body *a = &world->bodies[springs[head].a];
+    place from = ahead_of(a);
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        cairn_spring *spring = &springs[i];
+        const cairn_body *b = &world->bodies[spring->b];
+        place to = ahead_of(b);
+        cairn_turn turned;
+        if (spring->flags & CAIRN_SPRING_PLAIN) {
+            cairn_offset length = cairn_spring_face(spring, cairn_offset_between(from.x, to.x), cairn_offset_between(from.y, to.y), false, &turned);
+            cairn_motion demand = pull(spring, length - spring->rest_length);
+            if (spring->velocity_gain != 0) {
+                cairn_motion u = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, spring->direction_x, spring->direction_y);
+                demand += cairn_motion_unit(u, spring->velocity_gain);
+            }
+            spring->impulse = demand;
+        } else {
+            spring->impulse = demand_with_levers(world, spring, &turned);
+        }
         most = turned > most ? turned : most;
-        cairn_motion demand = cairn_motion_from_offset_wide(r.length - spring->rest_length, spring->position_gain);
-        if (spring->velocity_gain != 0) {
-            demand = cairn_motion_add(demand, cairn_motion_share(cairn_spring_speed(spring, a, b), spring->velocity_gain));
-        }
-        if (spring->lever_a != 0 || spring->lever_b != 0) {
-            demand = cairn_motion_factor(demand, cairn_spring_mass(world, spring));
-        }
-        spring->impulse = again ? cairn_motion_add(demand, cairn_motion_share(spring->sum, spring->yield)) : demand;
+        a = b;
+        from = to;
     }
     return most;
 }
 
-static void apply(cairn_world *world, cairn_spring *spring, cairn_motion impulse)
+/*
+ * What the springs of a path yield to the impulses that the sweep before gave them. As B + D + yield is 1, the sum is no greater than
+ * the greatest of the three.
+ */
+static void ask_more(cairn_spring *springs, uint16_t head)
 {
-    cairn_motion of_a = -cairn_motion_share(impulse, spring->share_a), of_b = cairn_motion_share(impulse, spring->share_b);
-    cairn_spring_push(&world->bodies[spring->a], cairn_motion_dir(of_a, spring->direction_x), cairn_motion_dir(of_a, spring->direction_y),
-                      spring->lever_a != 0 ? cairn_twist(of_a, spring->lever_a) : 0);
-    cairn_spring_push(&world->bodies[spring->b], cairn_motion_dir(of_b, spring->direction_x), cairn_motion_dir(of_b, spring->direction_y),
-                      spring->lever_b != 0 ? cairn_twist(of_b, spring->lever_b) : 0);
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        springs[i].impulse = cairn_motion_clamp(springs[i].impulse + cairn_motion_share(springs[i].sum, springs[i].yield), DEMAND_MAX);
+    }
+}
+
+/* The impulses that satisfy a path's equations: down the path, each from what the one before takes, the last one's being final. */
+static uint16_t eliminate(cairn_spring *springs, uint16_t head)
+{
+    cairn_motion impulse = 0;
+    uint16_t last = head;
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        cairn_spring *spring = &springs[i];
+        bool mild = (spring->flags & CAIRN_SPRING_MILD) != 0;
+        cairn_motion left = mild ? spring->impulse + cairn_motion_factor_short(impulse, spring->before)
+                          : cairn_motion_add(spring->impulse, cairn_motion_factor(impulse, spring->before));
+        impulse = mild && cairn_motion_clamp(left, MILD_MAX) == left ? -cairn_motion_factor_halved(left, spring->inverse_pivot)
+                : -cairn_motion_clamp(cairn_motion_factor(left, spring->inverse_pivot), IMPULSE_MAX);
+        spring->impulse = impulse;
+        last = i;
+    }
+    return last;
+}
+
+/* Back up the path: what is behind a spring counts too. Each body gets the pushes of both of its springs at once. */
+static void apply(cairn_world *world, uint16_t head, uint16_t last)
+{
+    cairn_spring *springs = world->springs->springs;
+    cairn_motion impulse = 0, x = 0, y = 0;
+    for (uint16_t i = last;; i = springs[i].previous) {
+        cairn_spring *spring = &springs[i];
+        cairn_body *b = &world->bodies[spring->b];
+        cairn_motion behind = spring->flags & CAIRN_SPRING_MILD ? cairn_motion_factor_short(impulse, spring->behind)
+                            : cairn_motion_clamp(cairn_motion_factor(impulse, spring->behind), IMPULSE_MAX);
+        impulse = cairn_motion_clamp(spring->impulse - behind, IMPULSE_MAX);
+        spring->sum = impulse;
+        cairn_motion part = cairn_motion_share(impulse, spring->share_b);
+        cairn_motion part_x = cairn_motion_dir(part, spring->direction_x), part_y = cairn_motion_dir(part, spring->direction_y);
+        if (spring->flags & CAIRN_SPRING_PLAIN || cairn_body_is_free_to_shift(b)) {
+            shift(b, part_x - x, part_y - y);
+        }
+        if (!(spring->flags & CAIRN_SPRING_PLAIN)) {
+            twist(b, part, spring->lever_b);
+            twist(&world->bodies[spring->a], -cairn_motion_share(impulse, spring->share_a), spring->lever_a);
+        }
+        if (spring->share_a != spring->share_b) {
+            part = cairn_motion_share(impulse, spring->share_a);
+            part_x = cairn_motion_dir(part, spring->direction_x);
+            part_y = cairn_motion_dir(part, spring->direction_y);
+        }
+        x = part_x;
+        y = part_y;
+        if (i == head) {
+            break;
+        }
+    }
+    if (cairn_body_is_free_to_shift(&world->bodies[springs[head].a])) {
+        shift(&world->bodies[springs[head].a], -x, -y);
+    }
 }
 
 void cairn_path_solve(cairn_world *world, uint16_t head, bool again)
 {
-    cairn_spring_pool *pool = world->springs;
-    cairn_motion impulse = 0;
-    uint16_t last = CAIRN_NONE;
-    pool->springs[head].turned += ask(world, head, again);
-    if (pool->springs[head].turned > STALE) {
+    cairn_spring *springs = world->springs->springs;
+    springs[head].turned += ask(world, head);
+    if (springs[head].turned > STALE) {
         cairn_path_factorise(world, head);
     }
-    for (uint16_t i = head; i != CAIRN_NONE; i = pool->springs[i].next) {
-        cairn_spring *spring = &pool->springs[i];
-        cairn_motion left = cairn_motion_add(spring->impulse, cairn_motion_factor(impulse, spring->before));
-        impulse = -cairn_motion_factor(left, spring->inverse_pivot);
-        spring->impulse = impulse;
-        spring->previous = last;
-        last = i;
+    if (again) {
+        ask_more(springs, head);
     }
-    impulse = 0;
-    for (uint16_t i = last; i != CAIRN_NONE; i = pool->springs[i].previous) {
-        cairn_spring *spring = &pool->springs[i];
-        impulse = cairn_motion_add(spring->impulse, -cairn_motion_factor(impulse, spring->behind));
-        spring->sum = impulse;
-        apply(world, spring, impulse);
-    }
+    apply(world, head, eliminate(springs, head));
 }

@@ -38,28 +38,37 @@ static cairn_offset way(cairn_real from, cairn_residue from_residue, cairn_real 
 }
 
 /* The arms are set; by how much the bodies have moved: */
-static void reach(const cairn_body *a, const cairn_body *b, cairn_offset moved_x, cairn_offset moved_y, cairn_reach *r)
+static cairn_offset2 between(const cairn_body *a, const cairn_body *b, cairn_offset moved_x, cairn_offset moved_y, const cairn_reach *r)
 {
-    cairn_offset x = way(a->x, a->x_residue, b->x, b->x_residue, moved_x, r->arm_a.x, r->arm_b.x);
-    cairn_offset y = way(a->y, a->y_residue, b->y, b->y_residue, moved_y, r->arm_a.y, r->arm_b.y);
-    r->length = cairn_unit_along(x, y, &r->x, &r->y);
+    cairn_offset2 p;
+    p.x = way(a->x, a->x_residue, b->x, b->x_residue, moved_x, r->arm_a.x, r->arm_b.x);
+    p.y = way(a->y, a->y_residue, b->y, b->y_residue, moved_y, r->arm_a.y, r->arm_b.y);
+    return p;
 }
 
 void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
 {
     r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, a->dw);
     r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, b->dw);
-    reach(a, b, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx),
-          cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy), r);
+    cairn_offset2 p = between(a, b, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx),
+                              cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy), r);
+    r->length = cairn_unit_along(p.x, p.y, &r->x, &r->y);
 }
 
-/* Where it will be at the end of this sub-step, with the velocities as they are. */
-static void foresee(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
+/* Where it will be at the end of this sub-step, with the velocities as they are: the way from anchor to anchor, and the arms. */
+static cairn_offset2 foresee(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
 {
     r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, cairn_motion_add(a->dw, a->w));
     r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, cairn_motion_add(b->dw, b->w));
-    reach(a, b, cairn_offset_from_motion(cairn_motion_add(b->dx, b->vx)) - cairn_offset_from_motion(cairn_motion_add(a->dx, a->vx)),
-          cairn_offset_from_motion(cairn_motion_add(b->dy, b->vy)) - cairn_offset_from_motion(cairn_motion_add(a->dy, a->vy)), r);
+    return between(a, b, cairn_offset_from_motion(cairn_motion_add(b->dx, b->vx)) - cairn_offset_from_motion(cairn_motion_add(a->dx, a->vx)),
+                   cairn_offset_from_motion(cairn_motion_add(b->dy, b->vy)) - cairn_offset_from_motion(cairn_motion_add(a->dy, a->vy)), r);
+}
+
+/* As near as FAR at the end of the step too: a body moves by less than 8 m in it. */
+bool cairn_spring_is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b)
+{
+    cairn_real near = FAR - 2 * CAIRN_F(8);
+    return !((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring) && cairn_real_is_within(b->x - a->x, near) && cairn_real_is_within(b->y - a->y, near);
 }
 
 /* (r x n) / rho */
@@ -81,12 +90,7 @@ void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_b
     }
 }
 
-/* A spring that turns faster than this in a sub-step, rad. */
-#define FAST CAIRN_UNIT(0.03)
-/* A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64. */
-enum { TAUT = 64 };
-
-/* The greater size of the two, each between -1 and 1, but at most a quarter. */
+/* The greater size of the two, at most a quarter. */
 static cairn_unit greater(cairn_unit a, cairn_unit b)
 {
     a = a < 0 ? -a : a;
@@ -95,43 +99,22 @@ static cairn_unit greater(cairn_unit a, cairn_unit b)
     return a < CAIRN_UNIT(0.25) ? a : CAIRN_UNIT(0.25);
 }
 
-/* How much of the way from one direction to another, on one axis, halved: the whole may be 2. */
-static cairn_unit half_way(cairn_dir from, cairn_unit to) { return cairn_share_shift(cairn_unit_from_dir(from), 1) - cairn_share_shift(to, 1); }
-
 /* A change of a lever, over 4. */
 static cairn_unit quarter_of(cairn_lever from, cairn_lever to) { return cairn_motion_lever(CAIRN_UNIT(0.125), to) * 2 - cairn_motion_lever(CAIRN_UNIT(0.125), from) * 2; }
 
-static bool is_taut(const cairn_spring *spring, cairn_offset length)
+cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_turn *turned)
 {
-    cairn_offset pull = cairn_offset_from_motion(spring->sum);
-    cairn_offset most = length / TAUT;
-    return pull > most || -pull > most;
-}
-
-/*
- * Where a spring ends the sub-step and which way it pushes. Along the foreseen direction a spring that turns fast, or
- * that a strong pull swings fast, gains no energy; but it takes away of any swing, (turn in a sub-step)^2 each time. So
- * the others push along a direction only a quarter of the way from that at the start to the one foreseen.
- * How far it turns, levers included, at most a half.
- */
-cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r, bool ahead)
-{
-    foresee(spring, a, b, r);
-    cairn_unit turned = 2 * greater(half_way(spring->heading_x, r->x), half_way(spring->heading_y, r->y));
-    cairn_unit from_x = cairn_unit_from_dir(spring->heading_x), from_y = cairn_unit_from_dir(spring->heading_y);
-    spring->heading_x = cairn_dir_from_unit(r->x);
-    spring->heading_y = cairn_dir_from_unit(r->y);
-    if (!ahead && turned < FAST && !is_taut(spring, r->length)) {
-        cairn_unit dx = from_x - r->x, dy = from_y - r->y;
-        r->x += cairn_share_shift(dx, 1) + cairn_share_shift(dx, 2);
-        r->y += cairn_share_shift(dy, 1) + cairn_share_shift(dy, 2);
-    }
-    cairn_lever lever_a = spring->lever_a, lever_b = spring->lever_b;
-    cairn_spring_point(spring, a, b, r);
+    cairn_reach r;
+    cairn_offset2 p = foresee(spring, a, b, &r);
+    cairn_offset length = cairn_spring_face(spring, p.x, p.y, ahead, turned);
     if (cairn_spring_is_off_centre(spring)) {
-        cairn_unit swung = greater(quarter_of(lever_a, spring->lever_a), quarter_of(lever_b, spring->lever_b));
-        swung = 4 * (swung < CAIRN_UNIT(0.125) ? swung : CAIRN_UNIT(0.125));
-        turned = turned > swung ? turned : swung;
+        cairn_unit x = cairn_unit_from_dir(spring->direction_x), y = cairn_unit_from_dir(spring->direction_y);
+        cairn_lever lever_a = cairn_spring_lever(a, r.arm_a, x, y), lever_b = cairn_spring_lever(b, r.arm_b, x, y);
+        cairn_unit swung = greater(quarter_of(spring->lever_a, lever_a), quarter_of(spring->lever_b, lever_b));
+        cairn_turn turn = 4 * cairn_turn_from_unit(swung);
+        spring->lever_a = lever_a;
+        spring->lever_b = lever_b;
+        *turned = *turned > turn ? *turned : turn;
     }
-    return turned;
+    return length;
 }

@@ -41,6 +41,22 @@ static bool is_active(const cairn_world *world, const cairn_spring *spring)
     return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
 }
 
+/* What a spring needs at the start of a step. */
+static void begin(cairn_world *world, cairn_spring *spring, bool changed)
+{
+    cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    bool active = cairn_body_is_active(a) || cairn_body_is_active(b);
+    if (active) {
+        bool plain = cairn_spring_is_plain(spring, a, b);
+        spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_PLAIN) | cairn_flag_if(plain, CAIRN_SPRING_PLAIN));
+        a->flags |= CAIRN_BODY_HELD;
+        b->flags |= CAIRN_BODY_HELD;
+    }
+    if (changed || (active && cairn_spring_is_off_centre(spring))) {
+        cairn_spring_map(world, spring);
+    }
+}
+
 void cairn_springs_prepare(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
@@ -53,8 +69,8 @@ void cairn_springs_prepare(cairn_world *world)
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
-        if (cairn_spring_is_used(spring) && (changed || (cairn_spring_is_off_centre(spring) && is_active(world, spring)))) {
-            cairn_spring_map(world, spring);
+        if (cairn_spring_is_used(spring)) {
+            begin(world, spring, changed);
         }
     }
     if (changed || (world->stats.steps & 7u) == 0) {
@@ -63,7 +79,7 @@ void cairn_springs_prepare(cairn_world *world)
             pool->mesh->kind->make(world);
         }
     }
-    for (uint16_t i = 0; i < pool->end; i++) {
+    for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
         const cairn_spring *spring = &pool->springs[i];
         if (leads(pool, spring) && (changed || ((spring->flags & CAIRN_SPRING_LEVERS) && is_active(world, spring)))) {
             cairn_path_factorise(world, i);
@@ -124,7 +140,7 @@ void cairn_springs_substep(cairn_world *world, int substep)
     if (pool->mesh != NULL) {
         pool->mesh->kind->solve(world, substep);
     }
-    for (uint16_t i = 0; i < pool->end; i++) {
+    for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
         cairn_spring *spring = &pool->springs[i];
         if (!leads(pool, spring) || !is_active(world, spring)) {
             continue;

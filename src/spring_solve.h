@@ -16,10 +16,12 @@ enum {
     CAIRN_SPRING_EXACT = 8,      /* solved by the exact map, alone */
     CAIRN_SPRING_HEAD = 16,      /* the first of a path */
     CAIRN_SPRING_IN_PATH = 32,
-    CAIRN_SPRING_BACKWARDS = 64, /* the path goes from its b to its a */
+    CAIRN_SPRING_TURNED = 64,    /* its path goes from the b of its definition to the a: they have changed places */
     CAIRN_SPRING_ENTANGLED = 128, /* of a network's first: its paths pull along one another */
     CAIRN_SPRING_LEVERS = 256,    /* of a path's first: some anchors are off their centres */
-    CAIRN_SPRING_MESHED = 512     /* of a network's first: solved as a whole */
+    CAIRN_SPRING_MESHED = 512,    /* of a network's first: solved as a whole */
+    CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre, and short of FAR: the quick path */
+    CAIRN_SPRING_MILD = 2048      /* the factors of its path fit short products */
 };
 
 static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
@@ -47,9 +49,44 @@ void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const
 cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_unit x, cairn_unit y);
 /* Keep direction and levers for the sweeps. */
 void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *reach);
+/* Whether it goes from centre to centre of bodies that may shift, or are at rest, and are not far apart: looked at once a step. */
+bool cairn_spring_is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b);
 
-/* Direction and levers for this sub-step; reach gets the end of it. Ahead: along the direction foreseen in any case. */
-cairn_unit cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *reach, bool ahead);
+/*
+ * Direction and levers for this sub-step; the length is that at the end of it. How far it turns, levers included.
+ * Ahead: along the direction foreseen in any case.
+ */
+cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_turn *turned);
+
+/* A spring that turns faster than this in a sub-step, rad. */
+#define CAIRN_SPRING_FAST CAIRN_TURN(0.03)
+
+/* A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64. */
+static inline bool cairn_spring_is_taut(const cairn_spring *spring, cairn_offset length)
+{
+    cairn_motion most = cairn_motion_64th(length);
+    return spring->sum > most || -spring->sum > most;
+}
+
+/*
+ * Which way a spring pushes that will end the sub-step along (x, y); its length there. Along the foreseen direction a spring that turns
+ * fast, or that a strong pull swings fast, gains no energy; but it takes away of any swing, (turn in a sub-step)^2 each time. So
+ * the others push along a direction only a quarter of the way from that at the start to the one foreseen.
+ */
+static inline cairn_offset cairn_spring_face(cairn_spring *spring, cairn_offset x, cairn_offset y, bool ahead, cairn_turn *turned)
+{
+    cairn_dir from_x = spring->heading.x, from_y = spring->heading.y;
+    cairn_offset length = cairn_bearing_take(&spring->heading, x, y);
+    cairn_dir to_x = spring->heading.x, to_y = spring->heading.y;
+    *turned = cairn_dir_turn(from_x, from_y, to_x, to_y);
+    if (!ahead && *turned < CAIRN_SPRING_FAST && !cairn_spring_is_taut(spring, length)) {
+        to_x = cairn_dir_towards(from_x, to_x);
+        to_y = cairn_dir_towards(from_y, to_y);
+    }
+    spring->direction_x = to_x;
+    spring->direction_y = to_y;
+    return length;
+}
 
 /* ---- spring_map.c ---- */
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring);

@@ -147,7 +147,27 @@ static inline cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cair
 static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return u; }
 static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return d; }
 static inline cairn_real cairn_real_from_unit(cairn_unit u) { return u; }
+static inline cairn_lever cairn_lever_negate(cairn_lever j) { return -j; }
 static inline cairn_dir cairn_dir_negate(cairn_dir d) { return -d; }
+static inline cairn_offset cairn_coordinate_ahead(cairn_real x, cairn_residue residue, cairn_motion by)
+{
+    (void)residue;
+    return x + by;
+}
+static inline cairn_offset cairn_offset_between(cairn_offset from, cairn_offset to) { return to - from; }
+typedef struct cairn_bearing {
+    cairn_dir x, y;
+} cairn_bearing;
+static inline cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+{
+    return cairn_unit_along(x, y, &bearing->x, &bearing->y);
+}
+typedef double cairn_turn;
+#define CAIRN_TURN(x) ((cairn_turn)(x))
+static inline cairn_turn cairn_dir_turn(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return fmax(fabs(ax - bx), fabs(ay - by)); }
+static inline cairn_unit cairn_unit_from_turn(cairn_turn turn) { return turn < 0.5 ? turn : 0.5; }
+static inline cairn_turn cairn_turn_from_unit(cairn_unit u) { return u; }
+static inline cairn_dir cairn_dir_towards(cairn_dir from, cairn_dir to) { return 0.75 * from + 0.25 * to; }
 
 static inline cairn_motion cairn_motion_clamp(cairn_motion x, cairn_motion limit) { return cairn_clamp(x, limit); }
 static inline cairn_motion cairn_motion_add(cairn_motion a, cairn_motion b) { return a + b; }
@@ -186,7 +206,14 @@ static inline cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, 
     return square > 0 ? sqrt(square) : 0;
 }
 static inline cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f) { return x / f; }
+static inline cairn_motion cairn_motion_factor_short(cairn_motion a, cairn_factor f) { return a * f; }
+static inline cairn_motion cairn_motion_factor_halved(cairn_motion a, cairn_factor f) { return a * f; }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return x * k; }
+typedef double cairn_gain;
+static inline cairn_gain cairn_gain_from_wide(cairn_wide k) { return k; }
+static inline bool cairn_offset_is_short(cairn_offset x) { return x < 4 && -x < 4; }
+static inline cairn_motion cairn_motion_gain(cairn_offset x, cairn_gain k) { return x * k; }
+static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x / 64; }
 
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return x; }
@@ -255,6 +282,8 @@ static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k) { return s * j * k; }
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return x; }
+static inline cairn_factor cairn_factor_shortened(cairn_factor f) { return f; }
+static inline cairn_factor cairn_factor_halved(cairn_factor f) { return f; }
 static inline cairn_factor cairn_factor_reciprocal(cairn_factor f) { return 1 / f; }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return a * b; }
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }

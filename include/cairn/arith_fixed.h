@@ -313,7 +313,70 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
 static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return (cairn_dir)((u + 32768) >> 16); }
 static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return (cairn_unit)((uint32_t)(int32_t)d << 16); }
 static inline cairn_real cairn_real_from_unit(cairn_unit u) { return (u + 8192) >> 14; }
+static inline cairn_lever cairn_lever_negate(cairn_lever j) { return (cairn_lever)-j; }
 static inline cairn_dir cairn_dir_negate(cairn_dir d) { return (cairn_dir)-d; }
+
+/* Where a coordinate will be when it has moved, from the origin; wraps, so that only differences of two that are less than 512 m apart
+   mean anything. |by| < 7.9 m */
+static inline cairn_offset cairn_coordinate_ahead(cairn_real x, cairn_residue residue, cairn_motion by)
+{
+    return (cairn_offset)(((uint32_t)x << 6) + (uint32_t)((by + (int32_t)residue + 32) >> 6));
+}
+static inline cairn_offset cairn_offset_between(cairn_offset from, cairn_offset to) { return (cairn_offset)((uint32_t)to - (uint32_t)from); }
+
+/*
+ * A direction, and what is remembered of the length along it: the inverse of its upper 15 bits in Q30, and how many bits are below
+ * them, less one. Inverse 0: nothing.
+ */
+typedef struct cairn_bearing {
+    cairn_dir x, y;
+    uint16_t inverse, shift;
+} cairn_bearing;
+/* cairn_bearing_take where the last length does not help. */
+cairn_offset cairn_bearing_take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y);
+/*
+ * The direction of (x, y), within 2.1 units, and its length, within 1.5 units and a 2^-12th of what it has changed by. One step of third
+ * order from the last length's inverse, if it has changed by less than 1.6 % since. The direction's error counts squared in the
+ * length, for by how much it is too long or too short is known and taken back.
+ */
+static inline cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+{
+    int shift = bearing->shift, inverse = bearing->inverse;
+    int32_t sx = ((x >> shift) + 1) >> 1, sy = ((y >> shift) + 1) >> 1;
+    if ((((uint32_t)sx + 32768u) | ((uint32_t)sy + 32768u)) < 65536u) {
+        uint32_t size = ((((uint32_t)(sx * sx) + (uint32_t)(sy * sy)) >> 15) * (uint32_t)inverse) >> 15;
+        int32_t error = (int32_t)((1u << 30) - size * (uint32_t)inverse); /* 1 - (length / last length)^2, Q30 */
+        if (size < 65536 && cairn_real_is_within(error, 1 << 25)) {
+            error >>= 13;
+            inverse += (inverse * ((error >> 1) + (3 * error * error >> 20)) + 65536) >> 17;
+            if (inverse >> 15 == 1) {
+                int32_t dx = (sx * inverse + 32768) >> 16, dy = (sy * inverse + 32768) >> 16;
+                int32_t excess = (int32_t)size * (dx * dx + dy * dy - (1 << 28)); /* below 33300 times 1.6e-4 of 2^28 */
+                bearing->inverse = (uint16_t)inverse;
+                bearing->x = (cairn_dir)dx;
+                bearing->y = (cairn_dir)dy;
+                return cairn_dot16(x, dx, y, dy, 14) - (((excess >> (27 - shift)) + 1) >> 1);
+            }
+        }
+    }
+    return cairn_bearing_take_anew(bearing, x, y);
+}
+
+/* By how much a direction turns: the greater change of its components, within a unit of Q14. */
+typedef int32_t cairn_turn;
+#define CAIRN_TURN(x) ((cairn_turn)CAIRN_ROUND(x, 16384.0))
+static inline cairn_turn cairn_dir_turn(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by)
+{
+    int32_t dx = ax - bx, dy = ay - by;
+    dx ^= dx >> 31;
+    dy ^= dy >> 31;
+    return dx > dy ? dx : dy;
+}
+/* At most a half. */
+static inline cairn_unit cairn_unit_from_turn(cairn_turn turn) { return (turn < 8192 ? turn : 8192) << 16; }
+static inline cairn_turn cairn_turn_from_unit(cairn_unit u) { return u >> 16; }
+/* A quarter of the way. */
+static inline cairn_dir cairn_dir_towards(cairn_dir from, cairn_dir to) { return (cairn_dir)((3 * from + to + 2) >> 2); }
 
 /* ---- cairn_motion: the solver's sweeps ---- */
 
@@ -381,7 +444,25 @@ static inline cairn_motion cairn_motion_unit(cairn_motion x, cairn_unit u) { ret
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s);
 /* x / f, within 2^-31 of it and half a unit; saturates, f > 0 */
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f);
+/* The same for a coefficient that cairn_factor_shortened or cairn_factor_halved has rounded: at most 1 in size, or below 4. The result must fit. */
+static inline cairn_motion cairn_motion_factor_short(cairn_motion a, cairn_factor f) { return cairn_mul16(a, f >> 6, 14); }
+static inline cairn_motion cairn_motion_factor_halved(cairn_motion a, cairn_factor f) { return cairn_mul16(a, f >> 7, 13); }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
+
+/* A coefficient in [0, 1) of which 15 bits count, however small it is. */
+typedef struct cairn_gain {
+    int16_t mantissa;
+    uint16_t shift;
+} cairn_gain;
+cairn_gain cairn_gain_from_wide(cairn_wide k);
+/* x times the gain, |x| < 4 m; within 1.1 units and 2^-14 of it. */
+static inline bool cairn_offset_is_short(cairn_offset x) { return cairn_real_is_within(x, CAIRN_OFFSET(4) - 1); }
+static inline cairn_motion cairn_motion_gain(cairn_offset x, cairn_gain k)
+{
+    return ((cairn_mul16((int32_t)((uint32_t)x << 6), k.mantissa, 14) >> k.shift) + 1) >> 1;
+}
+/* A 64th of a length. */
+static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x; }
 
 /* x * k */
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
@@ -480,6 +561,9 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
     return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
 }
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return (int32_t)x << 6; }
+/* Rounded to 14 and to 13 bits below the point. */
+static inline cairn_factor cairn_factor_shortened(cairn_factor f) { return (cairn_factor)((uint32_t)(f + 32) & ~63u); }
+static inline cairn_factor cairn_factor_halved(cairn_factor f) { return (cairn_factor)((uint32_t)(f + 64) & ~127u); }
 /* 1 / f, f > 0, to all bits; saturates */
 static inline cairn_factor cairn_factor_reciprocal(cairn_factor f)
 {

@@ -29,7 +29,7 @@ typedef struct cairn_spring_def {
 
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
-    uint16_t a, b; /* body indices */
+    uint16_t a, b; /* body indices, in the order of its path: see CAIRN_SPRING_TURNED */
     uint16_t generation, flags;
     struct {
         cairn_offset x, y;
@@ -41,15 +41,16 @@ typedef struct cairn_spring {
     cairn_share velocity_gain;
     cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
     cairn_wide position_gain;
+    cairn_gain pull; /* the same, short */
     /* the network, and a spring of another of its paths at one end */
     uint16_t network, across;
     /* the path it is solved with */
-    uint16_t next, previous;
+    uint16_t next, previous; /* of a path's first, previous is the first of the next path */
     cairn_factor before, behind, inverse_pivot;
-    cairn_unit turned; /* of a path's first: by how much its springs have turned since these were made, at most */
+    cairn_turn turned; /* of a path's first: by how much its springs have turned since these were made, at most */
     cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
     cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
-    cairn_dir heading_x, heading_y;     /* in which it lies at the end of the sub-step */
+    cairn_bearing heading;              /* in which it lies at the end of the sub-step */
     cairn_lever lever_a, lever_b;
 } cairn_spring;
 
@@ -59,6 +60,7 @@ typedef struct cairn_spring_pool {
     const struct cairn_spring_class *kind;
     cairn_spring *springs;
     uint16_t capacity, end;
+    uint16_t first; /* path's first spring */
     bool changed;   /* the springs' maps have to be made anew */
     bool entangled; /* a network is, see spring_network.c */
     struct cairn_mesh *mesh; /* null unless enabled, see spring_mesh.h */

@@ -1052,3 +1052,100 @@ void test_every_core_gives_the_same_bits(void)
     }
     TEST_ASSERT_EQUAL_HEX32(0x5F5D824Fu, hash);
 }
+
+/* ---- bearings and gains: the springs' ---- */
+
+/* A vector that turns and stretches by up to a part in 2^part each time: its bearing is never far off, wherever it has been before. */
+static void expect_followed(int part)
+{
+    int32_t x = CAIRN_OFFSET(1), y = 0;
+    cairn_bearing bearing = { 0, 0, 0, 0 };
+    for (int32_t i = 0; i < ROUNDS / 10; i++) {
+        cairn_unit ux, uy;
+        cairn_offset length = cairn_bearing_take(&bearing, x, y), exact = cairn_unit_along(x, y, &ux, &uy);
+        expect_within(2 << 16, ux, cairn_unit_from_dir(bearing.x), x, y);
+        expect_within(2 << 16, uy, cairn_unit_from_dir(bearing.y), x, y);
+        expect_within(3 + (exact >> (part + 12)) + (exact >> 24), exact, length, x, y);
+        int32_t most = (exact >> part) + 2;
+        x += any() % most;
+        y += any() % most;
+        if (size64(x) > (uint64_t)CAIRN_OFFSET(300) || size64(y) > (uint64_t)CAIRN_OFFSET(300)) {
+            x = any() >> (i & 31);
+            y = any() >> (i & 31);
+        }
+    }
+}
+
+void test_bearing_follows_a_vector(void)
+{
+    expect_followed(8);
+    expect_followed(6);
+    expect_followed(1); /* which is mostly too fast to follow */
+}
+
+void test_bearing_is_exact_along_the_axes(void)
+{
+    cairn_bearing bearing = { 0, 0, 0, 0 };
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(3), cairn_bearing_take(&bearing, 0, -CAIRN_OFFSET(3)));
+        TEST_ASSERT_EQUAL_INT(0, bearing.x);
+        TEST_ASSERT_EQUAL_INT(-16384, bearing.y);
+    }
+    TEST_ASSERT_EQUAL_INT32(0, cairn_bearing_take(&bearing, 0, 0));
+    TEST_ASSERT_EQUAL_INT(16384, bearing.x);
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_bearing_take(&bearing, CAIRN_OFFSET(500), CAIRN_OFFSET(500)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(3), cairn_bearing_take(&bearing, CAIRN_OFFSET(3), 0));
+}
+
+/* Whatever was remembered. */
+void test_bearing_trusts_no_memory(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        cairn_bearing bearing;
+        cairn_unit ux, uy;
+        int32_t x = any() >> 1, y = any() >> 1;
+        bearing.x = bearing.y = 0;
+        bearing.inverse = (uint16_t)(32768 + (any() & 32767));
+        bearing.shift = (uint16_t)((uint32_t)any() % 15);
+        cairn_offset length = cairn_bearing_take(&bearing, x, y), exact = cairn_unit_along(x, y, &ux, &uy);
+        expect_within(3 << 16, ux, cairn_unit_from_dir(bearing.x), x, y);
+        expect_within(3 << 16, uy, cairn_unit_from_dir(bearing.y), x, y);
+        expect_within(3 + (exact >> 18), exact, length, x, y);
+    }
+}
+
+void test_turn_is_the_greater_change(void)
+{
+    TEST_ASSERT_EQUAL_INT32(0, cairn_dir_turn(5, -7, 5, -7));
+    TEST_ASSERT_INT32_WITHIN(1, 300, cairn_dir_turn(100, 0, -200, 200));
+    TEST_ASSERT_INT32_WITHIN(1, 32768, cairn_dir_turn(-16384, 0, 16384, 0));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_UNIT(0.5), cairn_unit_from_turn(32768));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_UNIT(0.25), cairn_unit_from_turn(cairn_turn_from_unit(CAIRN_UNIT(0.25))));
+}
+
+void test_gain_keeps_fifteen_bits_of_any_coefficient(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any() % CAIRN_OFFSET(4);
+        cairn_wide k = cairn_wide_of(some(), 0);
+        k.exponent = -32 - (int32_t)(arith_random_bits(&random) >> 28);
+        int32_t exact = cairn_motion_from_offset_wide(x, k);
+        expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_wide(k)), x, (int32_t)k.mantissa);
+    }
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_from_int(0))));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_of(1, -70))));
+    TEST_ASSERT_INT32_WITHIN(CAIRN_MOTION(0.001), CAIRN_MOTION(3), cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_from_int(1))));
+    TEST_ASSERT_TRUE(cairn_offset_is_short(CAIRN_OFFSET(4) - 1));
+    TEST_ASSERT_FALSE(cairn_offset_is_short(CAIRN_OFFSET(-4)));
+}
+
+/* The same coordinate ahead, and as an offset between two of them. */
+void test_coordinates_ahead_differ_by_their_offset(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t from = any() >> 2, apart = any() >> 8, by = any() >> 1, on = any() >> 1;
+        cairn_residue low = (cairn_residue)(any() & 4095), high = (cairn_residue)(any() & 4095);
+        cairn_offset got = cairn_offset_between(cairn_coordinate_ahead(from, low, by), cairn_coordinate_ahead(from + apart, high, on));
+        expect_within(1, ((int64_t)apart * 4096 + high - low + on - by) >> 6, got, from, apart);
+    }
+}

@@ -191,6 +191,45 @@ void test_a_chain_hangs_alike_however_it_was_put_together(void)
     }
 }
 
+/* A path may go through a spring from its b to its a: to the game its ends stay what they are. */
+void test_the_ends_of_a_spring_in_a_chain_keep_their_names(void)
+{
+    ASSERT_OK(cairn_body_set_transform(world, body, at(0, CAIRN_F(-2)), 0));
+    cairn_body_id low = put(&box, 0, CAIRN_F(-4));
+    join(&def);
+    cairn_spring_def upwards = cairn_spring_def_default(low, body);
+    upwards.anchor_a = at(CAIRN_F(0.25), 0);
+    upwards.stiffness = cairn_wide_from_int(100);
+    cairn_spring_id id = join(&upwards);
+    cairn_vec2 a, b;
+    for (int i = 0; i < 3; i++) {
+        ASSERT_OK(cairn_spring_anchors(world, id, &a, &b));
+        ASSERT_NEAR_VEC2(0.001, 0.25, -4, a);
+        ASSERT_NEAR_VEC2(0.001, 0, -2, b);
+        run(1);
+        ASSERT_OK(cairn_spring_set(world, id, length_of(id), upwards.stiffness, upwards.damping)); /* which makes the paths anew */
+    }
+}
+
+/* Light bodies under a heavy one, and pulls of more than 4 m: beyond what the quick products of a path hold. */
+void test_a_chain_bears_a_thousand_times_its_mass(void)
+{
+    static const cairn_shape anvil = CAIRN_BOX(CAIRN_F(32), CAIRN_F(32));
+    ASSERT_OK(cairn_world_set_gravity(world, at(0, CAIRN_F(-10))));
+    ASSERT_OK(cairn_body_set_transform(world, body, at(0, CAIRN_F(-2)), 0));
+    cairn_body_id low = put(&anvil, 0, CAIRN_F(-100));
+    def.stiffness = cairn_wide_from_int(2000);
+    def.damping = cairn_wide_from_int(3000);
+    cairn_spring_id upper = join(&def);
+    def.a = body;
+    def.b = low;
+    def.rest_length = CAIRN_F(40);
+    cairn_spring_id lower = join(&def);
+    run(3000);
+    ASSERT_NEAR(0.02, 2 + 10250.0 / 2000, length_of(upper));
+    ASSERT_NEAR(0.02, 40 + 10240.0 / 2000, length_of(lower));
+}
+
 /* The map of a spring is for one sub-step: a new rate makes it anew, and the swing goes on. */
 void test_a_new_rate_does_not_change_the_frequency(void)
 {
