@@ -32,6 +32,7 @@ enum {
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
     CAIRN_BODY_RESTLESS = 1 << 12, /* is in a block of which something moves; in sleep.c, heads a group that may not fall asleep yet */
     CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
+    CAIRN_BODY_MET = CAIRN_BODY_STEADY, /* during the sub-steps: a contact may act on it */
     CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
     CAIRN_BODY_FAST = 1 << 15,    /* moves by more than a quarter of its size in this step */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
@@ -64,9 +65,10 @@ enum {
 enum {
     CAIRN_PATH_NONE,
     CAIRN_PATH_CAREFUL,   /* anything */
-    CAIRN_PATH_ON_STATIC, /* all of a change is b's */
-    CAIRN_PATH_EVEN,      /* bodies of one mass: each takes half */
-    CAIRN_PATH_SHARED
+    CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
+    CAIRN_PATH_EVEN,      /* bodies of one mass, each takes half, and no point is apart */
+    CAIRN_PATH_SHARED,    /* any bodies, points may be apart */
+    CAIRN_PATH_APART = 8  /* and: no point touched when the step began */
 };
 
 /* The flag if it is to be set. */
@@ -109,8 +111,6 @@ void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
 
 /* The first sub-step's velocities: forces, gravity and damping; u keeps the velocities before. */
 void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy);
-/* A further sub-step's: the last change once more, with this change of gravity. */
-void cairn_bodies_repeat(cairn_world *world, cairn_motion gx, cairn_motion gy);
 /* The end of the step: poses move by the displacements. */
 void cairn_bodies_finish(cairn_world *world);
 

@@ -84,28 +84,6 @@ void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
     }
 }
 
-void cairn_bodies_repeat(cairn_world *world, cairn_motion gx, cairn_motion gy)
-{
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
-        if (!cairn_body_is_active(body)) {
-            continue;
-        }
-        cairn_motion vx = body->vx, vy = body->vy, w = body->w;
-        body->vx = 2 * vx - body->ux;
-        body->vy = 2 * vy - body->uy;
-        body->w = 2 * w - body->uw;
-        body->ux = vx;
-        body->uy = vy;
-        body->uw = w;
-        if (body->flags & CAIRN_BODY_PLAIN) {
-            body->vx += gx;
-            body->vy += gy;
-        }
-        cairn_body_limit_speed(world, body);
-    }
-}
-
 /*
  * Rest. Two rules of the engine, stated openly: (1) a body that stands on two points of one contact, slips nowhere and
  * is slower than CAIRN_REST_SPEED loses its velocity with a time constant of one second: it ends the slow sway of tall

@@ -20,33 +20,91 @@ static void for_each_solved(cairn_world *world, void (*pass)(const cairn_world *
     }
 }
 
+/* Cut to the limits what is not clearly within. */
+static inline void limit(cairn_world *world, cairn_body *body)
+{
+    if (!cairn_size_is_below(cairn_size_with(cairn_size_with(cairn_size_of(body->vx), body->vy), body->w), world->speed_limit)) {
+        cairn_body_limit_speed(world, body);
+    }
+}
+
+/* Whether anything but its own motion acts on a body within the step. The others need no lean. */
+static inline bool is_met(const cairn_body *body) { return (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) != 0; }
+
+static inline void move(cairn_body *body)
+{
+    body->dx += body->vx;
+    body->dy += body->vy;
+    body->dw += body->w;
+}
+
+static inline void lean(cairn_body *body)
+{
+    body->vx += cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
+    body->vy += cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
+    body->w += cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+}
+
 /* Enter the biased pass: v + beta d. */
-static void lean(cairn_world *world)
+static void lean_all(cairn_world *world, int substep)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        if (cairn_body_is_active(body)) {
-            body->vx += cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
-            body->vy += cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
-            body->w += cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+        if (cairn_body_is_active(body) && (substep == 0 || is_met(body))) {
+            lean(body);
         }
     }
 }
 
-/* Leave it, and move by the sub-step. */
-static void advance(cairn_world *world)
+/* The last change of velocity once more, with this change of gravity. */
+static inline void repeat(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
+{
+    cairn_motion vx = body->vx, vy = body->vy, w = body->w;
+    bool plain = (body->flags & CAIRN_BODY_PLAIN) != 0;
+    body->vx = 2 * vx - body->ux + (plain ? gx : 0);
+    body->vy = 2 * vy - body->uy + (plain ? gy : 0);
+    body->w = 2 * w - body->uw;
+    body->ux = vx;
+    body->uy = vy;
+    body->uw = w;
+    limit(world, body);
+}
+
+/* A further sub-step's velocities. What nothing acts on moves at once; where no spring is to come first, the others lean. */
+static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body)) {
+            repeat(world, body, gx, gy);
+            if (!is_met(body)) {
+                move(body);
+            } else if (world->springs == NULL) {
+                lean(body);
+            }
+        }
+    }
+}
+
+/* Leave the biased pass, and move by the sub-step. In the first one all bodies do. */
+static void advance(cairn_world *world, int substep)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (cairn_body_is_active(body) && (substep == 0 || is_met(body))) {
             body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
             body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
             body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
-            cairn_body_limit_speed(world, body);
-            body->dx += body->vx;
-            body->dy += body->vy;
-            body->dw += body->w;
+            limit(world, body);
+            move(body);
         }
+    }
+}
+
+static void forget_meetings(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        world->bodies[i].flags &= (uint16_t)~CAIRN_BODY_MET;
     }
 }
 
@@ -120,24 +178,27 @@ static void solve(cairn_world *world)
             if (world->fast != 0) {
                 for_each_solved(world, land);
             }
-            cairn_bodies_repeat(world, gx - last_gx, gy - last_gy);
+            repeat_all(world, gx - last_gx, gy - last_gy);
         }
         last_gx = gx;
         last_gy = gy;
         if (world->springs != NULL) {
             world->springs->kind->substep(world, k);
         }
-        lean(world);
+        if (k == 0 ? world->bounce != NULL : world->springs != NULL) { /* without impacts nothing has moved yet */
+            lean_all(world, k);
+        }
         cairn_sweep_biased(world);
         if (world->blocks != 0) {
             world->block->biased_pass(world);
         }
-        advance(world);
+        advance(world, k);
         cairn_sweep_relax(world);
         if (world->blocks != 0) {
             world->block->relax_pass(world);
         }
     }
+    forget_meetings(world);
 }
 
 const cairn_solver_class cairn_solver_soft = { solve };

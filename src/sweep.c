@@ -1,20 +1,21 @@
 /*
- * The sweeps over the contacts of a step, by the ways that most contacts can take: no point is apart, bodies free to move and of
- * less than CAIRN_UNEVEN times one another's mass, levers at most 2, friction at most 1. Which way a contact takes is chosen once
- * a step. Nothing is cut off within them, so nothing may wrap:
+ * The sweeps over the contacts of a step, by the ways that most contacts can take: bodies free to move and of less than
+ * CAIRN_UNEVEN times one another's mass, levers at most 2, friction at most 1. Which way a contact takes is chosen once a step.
+ * Nothing is cut off within them, so nothing may wrap:
  *
  * A pair enters only if its speeds and spins are below CALM = 1/32 (with 4 sub-steps of 1/240 s, 7.5 m/s). A row's velocity is then
  * at most 2 sqrt(2) / 32 + 2 * 2 / 32 = 0.22. Push-outs are at most 0.2 and the softening takes at most 0.052 of 2.49, so the first
  * row of a biased pass changes by 0.55, the velocity of the second by at most 1 + 2 * 2 = 5 times that, and all stays below the 8
- * of Q4.28. A relax pass and its friction take kinetic energy out of the pair: bodies of one mass leave it at sqrt(6) / 32 at
- * most, with up to 30 times the mass the lighter one at sqrt(3 * 31) / 32 = 0.30. Only impulses that are given back because the
- * pressure on which friction rested is gone add some: hence RUB.
+ * of Q4.28; a point that was apart changes by 1.3 at most, since its velocity has beta d in it, and the second one's by 6.5. A
+ * relax pass and its friction take kinetic energy out of the pair: bodies of one mass leave it at sqrt(6) / 32 at
+ * most, with up to 30 times the mass the lighter one at sqrt(3 * 31) / 32 = 0.30. Only impulses that are given back because a
+ * point has come apart, or because the pressure on which friction rested is gone, may add some: hence GIVEN.
  */
 #include "sweep.h"
 
 #define CALM CAIRN_MOTION(1.0 / 32)
-/* The most by which friction's impulse changes in a pass: 0.30 and 2 * 0.25 are below CAIRN_SWEEP_SPIN. */
-#define RUB CAIRN_MOTION(0.25)
+/* The most by which such an impulse changes in a relax pass: 0.30 and three times 2 / 16 are below CAIRN_SWEEP_SPIN. */
+#define GIVEN CAIRN_MOTION(1.0 / 16)
 /* Push-outs beyond this are left to the careful way. */
 #define PUSH CAIRN_MOTION(0.125)
 
@@ -161,8 +162,13 @@ CAIRN_INLINE bool biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, i
     cairn_row *row = arbiter->rows, *end = row + arbiter->count;
     for (; row != end; row++) {
         cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
-        cairn_motion old = row->impulse, rigid = old - cairn_motion_ratio(u + row->gap, row->mass);
-        cairn_motion impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);
+        cairn_motion gap = row->gap, old = row->impulse, impulse;
+        if (path == CAIRN_PATH_SHARED && gap > 0) {
+            impulse = cairn_biased_apart(a, b, arbiter, row, u);
+        } else {
+            cairn_motion rigid = old - cairn_motion_ratio(u + gap, row->mass);
+            impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);
+        }
         row->impulse = impulse;
         press(&pair, arbiter, row, impulse - old, path);
     }
@@ -176,7 +182,7 @@ CAIRN_INLINE cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u, c
     cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + arbiter->pull, arbiter->friction_mass);
     cairn_motion within = cairn_motion_factor_below(pressure, arbiter->static_friction);
     if (impulse > within || -impulse > within) {
-        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(arbiter, u, impulse) - old, RUB);
+        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(arbiter, u, impulse) - old, GIVEN);
     }
     return impulse;
 }
@@ -193,7 +199,12 @@ CAIRN_INLINE bool relax(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, in
     cairn_row *row = arbiter->rows, *end = row + arbiter->count;
     for (; row != end; row++) {
         cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
-        cairn_motion old = row->impulse, impulse = cairn_motion_above_zero(old - cairn_motion_ratio(u, row->mass), CAIRN_IMPULSE_MAX);
+        cairn_motion old = row->impulse, impulse;
+        if (path == CAIRN_PATH_SHARED && row->gap > 0) {
+            impulse = old + cairn_motion_clamp(cairn_relaxed_apart(a, b, arbiter, row, u) - old, GIVEN);
+        } else {
+            impulse = cairn_motion_above_zero(old - cairn_motion_ratio(u, row->mass), CAIRN_IMPULSE_MAX);
+        }
         row->impulse = impulse;
         pressure += impulse;
         press(&pair, arbiter, row, impulse - old, path);
@@ -212,11 +223,36 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     if (!(arbiter->flags & CAIRN_ARBITER_SOLVED) || (arbiter->block & CAIRN_BLOCK_NUMBER)) {
         return CAIRN_PATH_NONE;
     }
-    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->rows[0].gap > 0 || (arbiter->count > 1 && arbiter->rows[1].gap > 0)
-        || arbiter->static_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
-        return CAIRN_PATH_CAREFUL;
+    bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
+    int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
+    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->static_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+        return CAIRN_PATH_CAREFUL + apart;
+    }
+    if (first || second) {
+        return CAIRN_PATH_SHARED + apart;
     }
     return arbiter->flags & CAIRN_ARBITER_ON_STATIC ? CAIRN_PATH_ON_STATIC : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN : CAIRN_PATH_SHARED;
+}
+
+static cairn_size size_of_motion(const cairn_body *body)
+{
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(body->vx), body->vy), body->w);
+    return cairn_size_with(cairn_size_with(cairn_size_with(size, body->dx), body->dy), body->dw);
+}
+
+/*
+ * So far apart that the points cannot meet in this sub-step: they come nearer by v + d at most, 2 (sqrt(2) + 2 sqrt(2)) times
+ * the greatest of v and that of d.
+ */
+static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+{
+    const cairn_row *rows = arbiter->rows;
+    bool second = arbiter->count > 1;
+    if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[1].impulse != 0)) {
+        return false;
+    }
+    cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
+    return cairn_size_is_far_below(size_of_motion(a), gap) && cairn_size_is_far_below(size_of_motion(b), gap);
 }
 
 void cairn_sweep_choose(cairn_world *world)
@@ -224,18 +260,31 @@ void cairn_sweep_choose(cairn_world *world)
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         arbiter->path = (uint8_t)path_of(world, arbiter);
+        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
+            world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
+            world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
+        }
     }
 }
 
 /* One pass over all contacts, each by its path. */
 #define SWEEP(pass, careful) \
-    for (uint16_t place = 0; place < world->arbiter_count; place++) { \
-        cairn_arbiter *arbiter = cairn_arbiter_at(world, place); \
+    cairn_body *bodies = world->bodies; \
+    cairn_arbiter *arbiters = world->arbiters; \
+    const uint16_t *end = world->order + world->arbiter_count; \
+    for (const uint16_t *at = world->order; at != end; at++) { \
+        cairn_arbiter *arbiter = &arbiters[*at]; \
         int path = arbiter->path; \
         if (path == CAIRN_PATH_NONE) { \
             continue; \
         } \
-        cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b]; \
+        cairn_body *a = &bodies[arbiter->a], *b = &bodies[arbiter->b]; \
+        if (path >= CAIRN_PATH_APART) { \
+            path -= CAIRN_PATH_APART; \
+            if (is_far(a, b, arbiter)) { \
+                continue; \
+            } \
+        } \
         bool done = path == CAIRN_PATH_EVEN ? pass(a, b, arbiter, CAIRN_PATH_EVEN) \
                   : path == CAIRN_PATH_ON_STATIC ? pass(a, b, arbiter, CAIRN_PATH_ON_STATIC) \
                   : path == CAIRN_PATH_SHARED && pass(a, b, arbiter, CAIRN_PATH_SHARED); \

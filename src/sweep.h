@@ -18,6 +18,9 @@ void cairn_sweep_relax(cairn_world *world);
 void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter);
 void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter);
 void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter);
+/* The new impulse of a point that was apart when the step began, where the row's velocity is u. */
+cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
+cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
 /* Friction's impulse within its cone, where it slips at u. */
 cairn_motion cairn_arbiter_rub(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse);
 

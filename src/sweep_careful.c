@@ -20,7 +20,7 @@ static cairn_motion softened(const cairn_row *row, cairn_motion u, cairn_motion 
 }
 
 /* The new impulse of a point that was apart when the step began (u leans by beta d): it may close the gap and no more. */
-static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
+cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     cairn_motion moved = cairn_row_displacement(a, b, arbiter, row), separation = cairn_motion_add(row->gap, moved);
     if (row->feature & CAIRN_ROW_IN_FLIGHT) {
@@ -32,7 +32,7 @@ static cairn_motion biased_apart(const cairn_body *a, const cairn_body *b, const
     return softened(row, cairn_motion_add(u, cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA)), 0);
 }
 
-static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
+cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     cairn_motion separation = cairn_motion_add(row->gap, cairn_row_displacement(a, b, arbiter, row));
     if (row->feature & CAIRN_ROW_IN_FLIGHT) {
@@ -45,7 +45,7 @@ static cairn_motion relaxed_apart(const cairn_body *a, const cairn_body *b, cons
 static cairn_motion biased(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     if (row->gap > 0) {
-        return biased_apart(a, b, arbiter, row, u);
+        return cairn_biased_apart(a, b, arbiter, row, u);
     }
     return softened(row, cairn_motion_add(u, row->gap), row->load);
 }
@@ -54,7 +54,7 @@ static cairn_motion biased(const cairn_body *a, const cairn_body *b, const cairn
 static cairn_motion relaxed(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     if (row->gap > 0) {
-        return relaxed_apart(a, b, arbiter, row, u);
+        return cairn_relaxed_apart(a, b, arbiter, row, u);
     }
     return pressed(less(row->impulse, u, row->mass));
 }

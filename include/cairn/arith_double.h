@@ -183,6 +183,7 @@ typedef double cairn_size;
 static inline cairn_size cairn_size_of(cairn_motion x) { return fabs(x); }
 static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return fabs(x) > size ? fabs(x) : size; }
 static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < limit; }
+static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < limit / 32; }
 static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return a * f; }
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }

@@ -412,6 +412,7 @@ typedef uint32_t cairn_size;
 static inline cairn_size cairn_size_of(cairn_motion x) { return (uint32_t)(x ^ (x >> 31)); }
 static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return size | cairn_size_of(x); }
 static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit; }
+static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit >> 5; } /* a 32nd */
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {

@@ -32,13 +32,27 @@ static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)
     return (int32_t)((high << (32 - shift)) + (low >> shift) + (low >> (shift - 1) & 1u));
 }
 
+/* As one piece: from C gcc makes 64-bit values of operands that it uses twice, with their sign words. */
+#if defined(__GNUC__) && defined(__thumb2__)
+#define CAIRN_ARMV7M_ASM 1
+#endif
+
 static inline int32_t cairn_armv7m_mul32(int32_t a, int32_t b, int shift)
 {
-#if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
-    if (__builtin_constant_p(shift) && shift == 32) {
-        int32_t r;
-        __asm__("smmulr %0, %1, %2" : "=r"(r) : "r"(a), "r"(b));
-        return r;
+#ifdef CAIRN_ARMV7M_ASM
+    if (__builtin_constant_p(shift) && !(__builtin_constant_p(a) && __builtin_constant_p(b))) {
+        int32_t r, low;
+#ifdef __ARM_FEATURE_DSP
+        if (shift == 32) {
+            __asm__("smmulr %0, %1, %2" : "=r"(r) : "r"(a), "r"(b));
+            return r;
+        }
+#endif
+        if (shift < 32) {
+            __asm__("smull %1, %0, %2, %3\n\tlsrs %1, %1, %4\n\tadc %0, %1, %0, lsl %5"
+                    : "=r"(r), "=r"(low) : "r"(a), "r"(b), "M"(shift), "M"(32 - shift) : "cc");
+            return r;
+        }
     }
 #endif
     return cairn_armv7m_narrow((int64_t)a * b, shift);
@@ -46,6 +60,14 @@ static inline int32_t cairn_armv7m_mul32(int32_t a, int32_t b, int shift)
 
 static inline int32_t cairn_armv7m_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
 {
+#ifdef CAIRN_ARMV7M_ASM
+    if (__builtin_constant_p(shift) && shift < 32) {
+        int32_t r, low;
+        __asm__("smull %1, %0, %2, %3\n\tsmlal %1, %0, %4, %5\n\tlsrs %1, %1, %6\n\tadc %0, %1, %0, lsl %7"
+                : "=&r"(r), "=&r"(low) : "r"(a), "r"(b), "r"(c), "r"(d), "M"(shift), "M"(32 - shift) : "cc");
+        return r;
+    }
+#endif
     return cairn_armv7m_narrow((int64_t)a * b + (int64_t)c * d, shift);
 }
 
