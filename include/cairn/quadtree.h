@@ -48,7 +48,7 @@ typedef struct cairn_quadtree_storage {
     static const cairn_quadtree_storage name = { &name##_tree, name##_cells, name##_entries, (cell_count), (entry_count) }
 
 /*
- * Use the quadtree instead of the all-pairs search. center: of the square it divides; size_log2: its side is
+ * Use the quadtree instead of the search along x (broad_pairs.c). center: of the square it divides; size_log2: its side is
  * 2^size_log2 m, 0 to 14; depth: most halvings, 1 to 10. At least as many entries as bodies (CAIRN_ERROR_FULL).
  */
 cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_storage *storage, cairn_vec2 center, int size_log2, int depth);

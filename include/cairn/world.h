@@ -76,6 +76,8 @@ typedef struct cairn_world {
     cairn_body *bodies;
     cairn_arbiter *arbiters;
     uint16_t *order; /* arbiters by pair of bodies; the free ones behind */
+    uint16_t *sorted; /* bodies by the left ends of their boxes, see broad_pairs.c */
+    uint16_t sorted_count;
     uint16_t body_capacity, body_end, body_free;
     uint16_t arbiter_capacity, arbiter_count;
 
@@ -115,7 +117,7 @@ typedef struct cairn_world_storage {
     cairn_world *world;
     cairn_body *bodies;
     cairn_arbiter *arbiters;
-    uint16_t *order;
+    uint16_t *order, *sorted;
     uint16_t body_capacity, arbiter_capacity;
 } cairn_world_storage;
 
@@ -124,12 +126,13 @@ typedef struct cairn_world_storage {
     static cairn_world name##_world; \
     static cairn_body name##_bodies[body_count]; \
     static cairn_arbiter name##_arbiters[arbiter_count]; \
-    static uint16_t name##_order[arbiter_count]; \
-    static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, (body_count), (arbiter_count) }
+    static uint16_t name##_order[arbiter_count], name##_sorted[body_count]; \
+    static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, name##_sorted, \
+                                              (body_count), (arbiter_count) }
 
 /* Bytes that CAIRN_WORLD takes, a constant expression. */
 #define CAIRN_WORLD_BYTES(body_count, arbiter_count) \
-    (sizeof(cairn_world) + (body_count) * sizeof(cairn_body) + (arbiter_count) * (sizeof(cairn_arbiter) + sizeof(uint16_t)))
+    (sizeof(cairn_world) + (body_count) * (sizeof(cairn_body) + sizeof(uint16_t)) + (arbiter_count) * (sizeof(cairn_arbiter) + sizeof(uint16_t)))
 
 extern const cairn_solver_class cairn_solver_soft;
 
