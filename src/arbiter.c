@@ -46,7 +46,7 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
         arbiter->share_b = CAIRN_SHARE(1);
         return;
     }
-    arbiter->share_a = cairn_wide_to_share(cairn_wide_div(b->mass, cairn_wide_add(a->mass, b->mass)));
+    arbiter->share_a = cairn_bodies_share(a, b);
     arbiter->share_b = CAIRN_SHARE(1) - arbiter->share_a;
     if (arbiter->share_a < CAIRN_UNEVEN_SHARE || arbiter->share_b < CAIRN_UNEVEN_SHARE) {
         arbiter->block = CAIRN_BLOCK_UNEVEN;
@@ -125,8 +125,8 @@ void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset 
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_pose pa = pose_of(a, 0, 0);
-    cairn_pose pb = pose_of(b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
-                            cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    cairn_pose pb = pose_of(b, cairn_bodies_apart_x(a, b),
+                            cairn_bodies_apart_y(a, b));
     cairn_poses_collide(&pa, &pb, margin, out);
 }
 

@@ -34,14 +34,14 @@ static void weigh(cairn_block *block)
 {
     cairn_wide lightest = cairn_wide_from_int(0), heaviest = lightest;
     for (int i = 0; i < block->body_count; i++) {
-        cairn_wide mass = block->bodies[i].body->mass;
+        cairn_wide mass = cairn_body_mass_of(block->bodies[i].body);
         if (!cairn_wide_is_zero(mass)) {
             lightest = cairn_wide_is_zero(lightest) || cairn_wide_less(mass, lightest) ? mass : lightest;
             heaviest = cairn_wide_less(heaviest, mass) ? mass : heaviest;
         }
     }
     for (int i = 0; i < block->body_count; i++) {
-        block->bodies[i].inverse = cairn_wide_div(lightest, block->bodies[i].body->mass);
+        block->bodies[i].inverse = cairn_wide_div(lightest, cairn_body_mass_of(block->bodies[i].body));
     }
     block->softness = cairn_wide_mul(YIELD, cairn_wide_div(lightest, heaviest));
 }

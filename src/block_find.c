@@ -17,14 +17,9 @@ static void set_number(cairn_arbiter *arbiter, uint8_t number) { arbiter->block 
 
 static bool is_solved(const cairn_arbiter *arbiter) { return (arbiter->flags & CAIRN_ARBITER_SOLVED) != 0; }
 
-/* Nothing is in a block yet. Light bodies have the block's number in `next`, which sleep uses only later in the step. */
+/* Nothing is in a block yet. A light body's link is the number of its block, or 0. */
 static void clear(cairn_world *world)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        if (world->bodies[i].flags & CAIRN_BODY_USED) {
-            world->bodies[i].next = CAIRN_NONE;
-        }
-    }
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         set_number(cairn_arbiter_at(world, place), 0);
     }
@@ -45,15 +40,16 @@ static bool outweighs(cairn_wide heavy, cairn_wide light, int32_t ratio)
 /* A body that touches a light one: light as well, or a load. */
 static void meet(growth *g, cairn_body *body)
 {
-    if (body->next == g->number || !cairn_body_is_dynamic(body)) {
+    if (cairn_body_link(body) == g->number || !cairn_body_is_dynamic(body)) {
         return;
     }
-    if (outweighs(g->heaviest, body->mass, CAIRN_UNEVEN)) {
-        body->next = g->number;
-        g->lightest = cairn_wide_less(body->mass, g->lightest) ? body->mass : g->lightest;
+    cairn_wide mass = cairn_body_mass_of(body);
+    if (outweighs(g->heaviest, mass, CAIRN_UNEVEN)) {
+        cairn_body_set_link(body, g->number);
+        g->lightest = cairn_wide_less(mass, g->lightest) ? mass : g->lightest;
         g->changed = true;
-    } else if (cairn_wide_less(g->heaviest, body->mass)) {
-        g->heaviest = body->mass;
+    } else if (cairn_wide_less(g->heaviest, mass)) {
+        g->heaviest = mass;
         g->changed = true;
     }
 }
@@ -69,7 +65,7 @@ static void grow(cairn_world *world, growth *g)
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
             cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
             cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-            if (is_solved(arbiter) && (a->next == g->number || b->next == g->number)) {
+            if (is_solved(arbiter) && (cairn_body_link(a) == g->number || cairn_body_link(b) == g->number)) {
                 set_number(arbiter, g->number);
                 meet(g, a);
                 meet(g, b);
@@ -92,14 +88,21 @@ static bool is_worth(const cairn_world *world, const growth *g)
     return arbiters > 1 && rows <= CAIRN_BLOCK_ROWS && !outweighs(g->heaviest, g->lightest, RATIO_MAX);
 }
 
+static void unlink_from(cairn_body *body, uint8_t number)
+{
+    if (cairn_body_link(body) == number) {
+        cairn_body_set_link(body, DISSOLVED);
+    }
+}
+
 static void dissolve(cairn_world *world, uint8_t number)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (cairn_block_of(arbiter) == number) {
             cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-            a->next = a->next == number ? DISSOLVED : a->next;
-            b->next = b->next == number ? DISSOLVED : b->next;
+            unlink_from(a, number);
+            unlink_from(b, number);
             set_number(arbiter, DISSOLVED);
         }
     }
@@ -169,6 +172,15 @@ static void compare(cairn_world *world, uint8_t number)
     }
 }
 
+static void drop_links(cairn_world *world)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        cairn_body_set_link(&world->bodies[arbiter->a], 0);
+        cairn_body_set_link(&world->bodies[arbiter->b], 0);
+    }
+}
+
 void cairn_block_find(cairn_world *world)
 {
     clear(world);
@@ -179,12 +191,13 @@ void cairn_block_find(cairn_world *world)
             continue;
         }
         cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        bool a_is_light = cairn_wide_less(a->mass, b->mass);
+        cairn_wide mass_a = cairn_body_mass_of(a), mass_b = cairn_body_mass_of(b);
+        bool a_is_light = cairn_wide_less(mass_a, mass_b);
         growth g;
         g.number = (uint8_t)(world->blocks + 1);
-        g.heaviest = a_is_light ? b->mass : a->mass;
-        g.lightest = a_is_light ? a->mass : b->mass;
-        (a_is_light ? a : b)->next = g.number;
+        g.heaviest = a_is_light ? mass_b : mass_a;
+        g.lightest = a_is_light ? mass_a : mass_b;
+        cairn_body_set_link(a_is_light ? a : b, g.number);
         grow(world, &g);
         if (is_worth(world, &g)) {
             world->blocks++;
@@ -192,6 +205,7 @@ void cairn_block_find(cairn_world *world)
             dissolve(world, g.number);
         }
     }
+    drop_links(world);
     forget_former(world);
     for (uint8_t number = 1; number <= world->blocks; number++) {
         compare(world, number);

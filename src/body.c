@@ -64,6 +64,26 @@ cairn_body_id cairn_world_next_body(const cairn_world *world, cairn_body_id id)
     return cairn_body_id_null();
 }
 
+/* ---- masses of two ---- */
+
+cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b)
+{
+    cairn_wide of_a = cairn_body_mass_of(a), of_b = a->model == b->model ? of_a : cairn_body_mass_of(b);
+    if (cairn_wide_is_zero(of_a) || cairn_wide_is_zero(of_b)) {
+        return cairn_wide_is_zero(of_a) ? of_b : of_a;
+    }
+    return cairn_wide_div(cairn_wide_mul(of_a, of_b), cairn_wide_add(of_a, of_b));
+}
+
+cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b)
+{
+    if (a->model == b->model) {
+        return CAIRN_SHARE(0.5);
+    }
+    cairn_wide of_a = cairn_body_mass_of(a), of_b = cairn_body_mass_of(b);
+    return cairn_wide_to_share(cairn_wide_div(of_b, cairn_wide_add(of_a, of_b)));
+}
+
 /* ---- create and destroy ---- */
 
 static bool within(cairn_real x, cairn_real limit) { return x <= limit && x >= -limit; }
@@ -102,7 +122,7 @@ static cairn_body *take_place(cairn_world *world)
 {
     uint16_t place = world->body_free;
     if (place != CAIRN_NONE) {
-        world->body_free = world->bodies[place].next;
+        world->body_free = cairn_body_link(&world->bodies[place]);
     } else if (world->body_end < world->body_capacity) {
         place = world->body_end++;
         world->bodies[place].generation = 0;
@@ -131,13 +151,9 @@ static void take_model(cairn_world *world, cairn_body *body, const cairn_body_mo
 {
     body->model = model;
     body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
-    body->mass = cairn_wide_from_int(0);
-    if (model->type == CAIRN_DYNAMIC) {
-        body->mass = cairn_wide_mul(mass->area, model->density);
-    }
-    body->inverse_gyration = cairn_wide_from_int(0);
+    body->inverse_gyration = 0;
     if (model->type != CAIRN_STATIC && !(body->flags & CAIRN_BODY_FIXED_ROTATION)) {
-        body->inverse_gyration = cairn_wide_div(cairn_wide_from_int(1), mass->gyration);
+        body->inverse_gyration = cairn_wide_pack(cairn_wide_div(cairn_wide_from_int(1), mass->gyration));
     }
     if (model->material->bounce != NULL) {
         world->bounce = model->material->bounce;
@@ -160,12 +176,13 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->angle = angle;
     cairn_angle_rotation(angle, &body->cosine, &body->sine);
     cairn_body_centroid(body, &cx, &cy);
+    cairn_residue rx = cairn_residue_zero(), ry = rx;
+    cairn_coordinate_shift(&position.x, &rx, cx);
+    cairn_coordinate_shift(&position.y, &ry, cy);
     body->x = position.x;
     body->y = position.y;
-    body->x_residue = cairn_residue_zero();
-    body->y_residue = cairn_residue_zero();
-    cairn_coordinate_shift(&body->x, &body->x_residue, cx);
-    cairn_coordinate_shift(&body->y, &body->y_residue, cy);
+    body->x_residue = rx & CAIRN_RESIDUE_BITS;
+    body->y_residue = ry & CAIRN_RESIDUE_BITS;
     cairn_body_refresh_extents(world, body);
 }
 
@@ -179,10 +196,10 @@ static void disturb(cairn_world *world, const cairn_body *body)
 
 static void set_spin(cairn_world *world, cairn_body *body, cairn_real radians_per_second)
 {
-    if (cairn_wide_is_zero(body->inverse_gyration)) {
+    if (!cairn_body_can_turn(body)) {
         return;
     }
-    body->w = cairn_motion_from_real(radians_per_second, cairn_wide_div(world->substep, body->inverse_gyration));
+    body->w = cairn_motion_from_real(radians_per_second, cairn_wide_div(world->substep, cairn_body_inverse_gyration(body)));
     cairn_body_limit_speed(world, body);
 }
 
@@ -233,7 +250,7 @@ cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
     }
     body->flags = 0;
     body->generation = (uint16_t)(body->generation == UINT16_MAX ? 1 : body->generation + 1);
-    body->next = world->body_free;
+    cairn_body_set_link(body, world->body_free);
     world->body_free = index;
     world->stats.bodies--;
     return CAIRN_OK;
@@ -338,16 +355,17 @@ cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const ca
     if (status != CAIRN_OK) {
         return cairn_fail(world, status);
     }
-    cairn_wide old_mass = body->mass;
+    cairn_wide old_mass = cairn_body_mass_of(body), new_mass;
     unsigned old_flags = body->flags;
     take_model(world, body, model, &mass);
+    new_mass = cairn_body_mass_of(body);
     if (body->flags & CAIRN_BODY_FIXED_ROTATION) {
         body->w = 0;
     }
     if (body->flags & CAIRN_BODY_FIXED_POSITION) {
         body->vx = body->vy = 0;
     }
-    bool same_mass = !cairn_wide_less(old_mass, body->mass) && !cairn_wide_less(body->mass, old_mass);
+    bool same_mass = !cairn_wide_less(old_mass, new_mass) && !cairn_wide_less(new_mass, old_mass);
     bool as_free = ((old_flags ^ body->flags) & OF_MODEL & ~(unsigned)CAIRN_BODY_PLAIN) == 0;
     cairn_body_wake_up(world, body);
     change_contacts(world, body, (uint16_t)(id.index - 1), same_mass && as_free);
@@ -361,7 +379,8 @@ cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)
     }
     cairn_status status = shape->kind->check(shape);
     if (status == CAIRN_OK) {
-        shape->kind->measure(shape, out);
+        out->area = shape->kind->area(shape);
+        out->gyration = shape->kind->gyration(shape);
     }
     return status;
 }

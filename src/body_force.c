@@ -18,7 +18,7 @@ static cairn_real cross(cairn_vec2 r, cairn_vec2 f) { return cairn_real_sub(cair
 static void add_linear(cairn_body *body, cairn_motion *x, cairn_motion *y, cairn_vec2 amount, cairn_wide per_mass)
 {
     if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
-        cairn_wide k = cairn_wide_div(per_mass, body->mass);
+        cairn_wide k = cairn_wide_div(per_mass, cairn_body_mass_of(body));
         *x = cairn_motion_add(*x, cairn_motion_from_real(amount.x, k));
         *y = cairn_motion_add(*y, cairn_motion_from_real(amount.y, k));
     }
@@ -27,7 +27,7 @@ static void add_linear(cairn_body *body, cairn_motion *x, cairn_motion *y, cairn
 /* The same for a torque: rho T / I = T / (m rho). */
 static void add_angular(cairn_body *body, cairn_motion *w, cairn_real amount, cairn_wide per_mass)
 {
-    cairn_wide k = cairn_wide_mul(cairn_wide_div(per_mass, body->mass), body->inverse_gyration);
+    cairn_wide k = cairn_wide_mul(cairn_wide_div(per_mass, cairn_body_mass_of(body)), cairn_body_inverse_gyration(body));
     *w = cairn_motion_add(*w, cairn_motion_from_real(amount, k));
 }
 

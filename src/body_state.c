@@ -42,7 +42,7 @@ static cairn_vec2 velocity_of(const cairn_world *world, const cairn_body *body)
 
 static cairn_real spin_of(const cairn_world *world, const cairn_body *body)
 {
-    return cairn_real_from_motion(body->w, cairn_wide_mul(body->inverse_gyration, world->inverse_substep));
+    return cairn_real_from_motion(body->w, cairn_wide_mul(cairn_body_inverse_gyration(body), world->inverse_substep));
 }
 
 cairn_vec2 cairn_body_velocity(cairn_world *world, cairn_body_id id)
@@ -100,17 +100,18 @@ cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 
 cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_wide_from_int(0) : body->mass;
+    return body == NULL ? cairn_wide_from_int(0) : cairn_body_mass_of(body);
 }
 
 /* m rho^2 */
 cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    if (body == NULL || cairn_wide_is_zero(body->mass)) {
+    if (body == NULL) {
         return cairn_wide_from_int(0);
     }
-    return cairn_wide_div(body->mass, cairn_wide_mul(body->inverse_gyration, body->inverse_gyration));
+    cairn_wide inverse = cairn_body_inverse_gyration(body);
+    return cairn_wide_div(cairn_body_mass_of(body), cairn_wide_mul(inverse, inverse));
 }
 
 const cairn_body_model *cairn_body_get_model(cairn_world *world, cairn_body_id id)

@@ -173,7 +173,7 @@ static cairn_pose turned(const cairn_body *body, cairn_offset turn)
     pose.c = body->cosine;
     pose.s = body->sine;
     if (turn != 0) {
-        cairn_angle by = cairn_angle_from_motion(cairn_motion_from_offset(turn), body->inverse_gyration);
+        cairn_angle by = cairn_angle_from_motion(cairn_motion_from_offset(turn), cairn_body_inverse_gyration(body));
         cairn_angle_rotation(cairn_angle_add(body->angle, by), &pose.c, &pose.s);
     }
     return pose;
@@ -182,8 +182,8 @@ static cairn_pose turned(const cairn_body *body, cairn_offset turn)
 static void contact_after(const impact *i, const course *c, cairn_manifold *out)
 {
     cairn_pose a = turned(i->a, c->turn_a), b = turned(i->b, c->turn_b);
-    b.x = cairn_coordinate_offset(i->a->x, i->a->x_residue, i->b->x, i->b->x_residue) + c->x;
-    b.y = cairn_coordinate_offset(i->a->y, i->a->y_residue, i->b->y, i->b->y_residue) + c->y;
+    b.x = cairn_bodies_apart_x(i->a, i->b) + c->x;
+    b.y = cairn_bodies_apart_y(i->a, i->b) + c->y;
     cairn_poses_collide(&a, &b, SIGHT, out);
 }
 

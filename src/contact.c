@@ -4,10 +4,7 @@
 /* N s of an accumulated impulse: impulse / (h (1/mA + 1/mB)). */
 static cairn_real newton_seconds(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_motion impulse, int exponent)
 {
-    cairn_wide reduced = b->mass; /* the second body of a pair is dynamic */
-    if (!cairn_wide_is_zero(a->mass)) {
-        reduced = cairn_wide_div(cairn_wide_mul(a->mass, b->mass), cairn_wide_add(a->mass, b->mass));
-    }
+    cairn_wide reduced = cairn_bodies_reduced_mass(a, b);
     return cairn_real_from_motion(impulse, cairn_wide_mul(cairn_wide_mul(reduced, cairn_wide_of(1, exponent)), world->inverse_substep));
 }
 

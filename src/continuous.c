@@ -46,7 +46,7 @@ static course ahead(const cairn_world *world, const cairn_body *body, cairn_offs
     c.y = y;
     c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, body->dx)) * world->substeps;
     c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, body->dy)) * world->substeps;
-    c.turn = cairn_angle_from_motion(w * world->substeps, body->inverse_gyration);
+    c.turn = cairn_angle_from_motion(w * world->substeps, cairn_body_inverse_gyration(body));
     c.sweep = sweep_of(body, w) * world->substeps;
     return c;
 }
@@ -187,8 +187,8 @@ static outcome find_meeting(const course *a, const course *b, cairn_manifold *ou
 static void meet(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *out)
 {
     course ca = ahead(world, a, 0, 0);
-    course cb = ahead(world, b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
-                      cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    course cb = ahead(world, b, cairn_bodies_apart_x(a, b),
+                      cairn_bodies_apart_y(a, b));
     outcome found = find_meeting(&ca, &cb, out);
     if (found == OUTCOME_MISS) {
         out->count = 0;
@@ -242,8 +242,8 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
         y *= 2;
     }
     course ca = ahead(world, a, 0, 0);
-    course cb = ahead(world, b, cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue),
-                      cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue));
+    course cb = ahead(world, b, cairn_bodies_apart_x(a, b),
+                      cairn_bodies_apart_y(a, b));
     cairn_pose pa = pose_at(&ca, 0), pb = pose_at(&cb, 0);
     look_beyond(&pa, &pb, x, y, CAIRN_UNIT(1.9), margin, out);
 }
@@ -259,7 +259,7 @@ static course behind(const cairn_body *body, cairn_offset x, cairn_offset y)
     c.y = y;
     c.dx = cairn_offset_from_motion(body->dx);
     c.dy = cairn_offset_from_motion(body->dy);
-    c.turn = cairn_angle_from_motion(body->dw, body->inverse_gyration);
+    c.turn = cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body));
     c.sweep = sweep_of(body, body->dw);
     return c;
 }
@@ -287,7 +287,7 @@ static cairn_offset approach_of(const course *path, const course *obstacle, cons
     cairn_offset away = cairn_offset_dot(obstacle->dx - path->dx, obstacle->dy - path->dy, nx, ny);
     if (obstacle->sweep != 0) {
         cairn_offset arm = cairn_offset_dot(contact->points[0].x - pose->x, contact->points[0].y - pose->y, ny, -nx);
-        away += cairn_motion_lever(cairn_offset_from_motion(obstacle->body->dw), cairn_lever_of(arm, obstacle->body->inverse_gyration));
+        away += cairn_motion_lever(cairn_offset_from_motion(obstacle->body->dw), cairn_lever_of(arm, cairn_body_inverse_gyration(obstacle->body)));
     }
     return -away;
 }
@@ -296,8 +296,8 @@ static cairn_offset approach_of(const course *path, const course *obstacle, cons
 static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
 {
     course path = behind(fast, 0, 0);
-    course obstacle = behind(other, cairn_coordinate_offset(fast->x, fast->x_residue, other->x, other->x_residue),
-                             cairn_coordinate_offset(fast->y, fast->y_residue, other->y, other->y_residue));
+    course obstacle = behind(other, cairn_bodies_apart_x(fast, other),
+                             cairn_bodies_apart_y(fast, other));
     cairn_offset core = cairn_offset_from_real(fast->model->shape->kind->inradius(fast->model->shape));
     cairn_unit time = 0;
     for (int i = 0; i < ADVANCES; i++) {

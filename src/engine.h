@@ -18,6 +18,9 @@
 /* A body standing on two points that is slower than this, m/s, comes to rest: see motion.c. */
 #define CAIRN_REST_SPEED CAIRN_F(0.05)
 
+/* The residues' place in a body. */
+#define CAIRN_RESIDUE_BITS 0xFFFu
+
 /* body.flags: the type in the lowest two bits, and: */
 enum {
     CAIRN_BODY_TYPE = 3,
@@ -80,6 +83,35 @@ static inline bool cairn_body_is_dynamic(const cairn_body *body) { return (body-
 static inline bool cairn_body_is_active(const cairn_body *body)
 {
     return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) == CAIRN_BODY_USED && (body->flags & CAIRN_BODY_TYPE) != CAIRN_STATIC;
+}
+
+/* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
+static inline cairn_wide cairn_body_mass_of(const cairn_body *body)
+{
+    const cairn_body_model *model = body->model;
+    return cairn_body_is_dynamic(body) ? cairn_wide_mul(model->shape->kind->area(model->shape), model->density) : cairn_wide_from_int(0);
+}
+
+/* mA mB / (mA + mB), or the mass of the one that is dynamic. */
+cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b);
+/* What the first of two dynamic bodies takes of a change of their relative velocity: mB / (mA + mB). */
+cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
+
+static inline bool cairn_body_can_turn(const cairn_body *body) { return body->inverse_gyration != 0; }
+static inline cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
+
+/* While nothing moves, dw may hold the place of another body: of the next free one, or for a stage of the step that leaves it zero. */
+static inline uint16_t cairn_body_link(const cairn_body *body) { return (uint16_t)body->dw; }
+static inline void cairn_body_set_link(cairn_body *body, uint16_t place) { body->dw = (cairn_motion)place; }
+
+/* From one body's centre of mass to another one's; both within 512 m of one another. */
+static inline cairn_offset cairn_bodies_apart_x(const cairn_body *a, const cairn_body *b)
+{
+    return cairn_coordinate_offset(a->x, a->x_residue, b->x, b->x_residue);
+}
+static inline cairn_offset cairn_bodies_apart_y(const cairn_body *a, const cairn_body *b)
+{
+    return cairn_coordinate_offset(a->y, a->y_residue, b->y, b->y_residue);
 }
 
 static inline cairn_status cairn_fail(cairn_world *world, cairn_status status)

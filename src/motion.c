@@ -148,16 +148,17 @@ static void mark_held(cairn_world *world)
 }
 
 /* Stop a coordinate at the edge of the world: its displacement is then not what it was to be. */
-static void move_coordinate(cairn_world *world, cairn_real *x, cairn_residue *residue, cairn_motion *v, cairn_motion *by)
+static cairn_residue move_coordinate(cairn_world *world, cairn_real *x, cairn_residue residue, cairn_motion *v, cairn_motion *by)
 {
-    cairn_coordinate_move(x, residue, *by);
+    cairn_coordinate_move(x, &residue, *by);
     if (*x > CAIRN_WORLD_EDGE || *x < -CAIRN_WORLD_EDGE) {
         *x = *x > 0 ? CAIRN_WORLD_EDGE : -CAIRN_WORLD_EDGE;
-        *residue = cairn_residue_zero();
+        residue = cairn_residue_zero();
         *v = 0;
         *by = CAIRN_MOTION(1);
         world->stats.saturations++;
     }
+    return residue;
 }
 
 /*
@@ -202,16 +203,19 @@ void cairn_bodies_finish(cairn_world *world)
             cairn_body_limit_speed(world, body);
         }
         body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING | CAIRN_BODY_RESTLESS);
-        move_coordinate(world, &body->x, &body->x_residue, &body->vx, &body->dx);
-        move_coordinate(world, &body->y, &body->y_residue, &body->vy, &body->dy);
+        body->x_residue = move_coordinate(world, &body->x, body->x_residue, &body->vx, &body->dx) & CAIRN_RESIDUE_BITS;
+        body->y_residue = move_coordinate(world, &body->y, body->y_residue, &body->vy, &body->dy) & CAIRN_RESIDUE_BITS;
         if (body->dw != 0) {
-            body->angle = cairn_angle_add(body->angle, cairn_angle_from_motion(body->dw, body->inverse_gyration));
+            body->angle = cairn_angle_add(body->angle, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
             cairn_angle_rotation(body->angle, &body->cosine, &body->sine);
         }
         body->ux = body->uy = body->uw = 0;
     }
     follow_contacts(world);
     for (uint16_t i = 0; i < world->body_end; i++) { /* now, since the impact phase comes before the next start */
-        world->bodies[i].dx = world->bodies[i].dy = world->bodies[i].dw = 0;
+        cairn_body *body = &world->bodies[i];
+        if (body->flags & CAIRN_BODY_USED) {
+            body->dx = body->dy = body->dw = 0;
+        }
     }
 }

@@ -22,8 +22,8 @@ static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor lin
 
 static cairn_lever lever(const cairn_body *body, cairn_offset arm)
 {
-    bool turns = !cairn_wide_is_zero(body->inverse_gyration);
-    return turns ? cairn_lever_of(arm, body->inverse_gyration) : 0;
+    bool turns = cairn_body_can_turn(body);
+    return turns ? cairn_lever_of(arm, cairn_body_inverse_gyration(body)) : 0;
 }
 
 /* The separation as the solver uses it: where positive itself, else the push-out per sub-step. */

@@ -10,13 +10,16 @@ static cairn_status check(const cairn_shape *shape)
     return cairn_real_length(w, h) <= 2 * CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-/* area = w h; gyration^2 = (w^2 + h^2) / 12 */
-static void measure(const cairn_shape *shape, cairn_mass_data *mass)
+static cairn_wide area(const cairn_shape *shape)
+{
+    return cairn_wide_mul(cairn_wide_from_real(shape->size.x), cairn_wide_from_real(shape->size.y));
+}
+
+/* gyration^2 = (w^2 + h^2) / 12 */
+static cairn_wide gyration(const cairn_shape *shape)
 {
     cairn_wide w = cairn_wide_from_real(shape->size.x), h = cairn_wide_from_real(shape->size.y);
-    mass->area = cairn_wide_mul(w, h);
-    mass->gyration = cairn_wide_sqrt(
-        cairn_wide_div(cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h)), cairn_wide_from_int(12)));
+    return cairn_wide_sqrt(cairn_wide_div(cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h)), cairn_wide_from_int(12)));
 }
 
 static cairn_real inradius(const cairn_shape *shape)
@@ -62,5 +65,5 @@ static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, measure, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
+    1, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
 };

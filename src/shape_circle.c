@@ -6,14 +6,16 @@ static cairn_status check(const cairn_shape *shape)
     return shape->size.x >= CAIRN_SHAPE_RADIUS_MIN && shape->size.x <= CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-/* area = pi r^2; gyration^2 = r^2 / 2 */
-static void measure(const cairn_shape *shape, cairn_mass_data *mass)
+static cairn_wide square(const cairn_shape *shape)
 {
     cairn_wide r = cairn_wide_from_real(shape->size.x);
-    cairn_wide r2 = cairn_wide_mul(r, r);
-    mass->area = cairn_wide_mul(r2, CAIRN_WIDE_PI);
-    mass->gyration = cairn_wide_sqrt(cairn_wide_div(r2, cairn_wide_from_int(2)));
+    return cairn_wide_mul(r, r);
 }
+
+static cairn_wide area(const cairn_shape *shape) { return cairn_wide_mul(square(shape), CAIRN_WIDE_PI); }
+
+/* gyration^2 = r^2 / 2 */
+static cairn_wide gyration(const cairn_shape *shape) { return cairn_wide_sqrt(cairn_wide_div(square(shape), cairn_wide_from_int(2))); }
 
 static cairn_real inradius(const cairn_shape *shape) { return shape->size.x; }
 
@@ -46,4 +48,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     out->count = 1;
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, measure, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, area, gyration, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };

@@ -7,7 +7,8 @@ static cairn_status check(const cairn_shape *shape)
     return polygon != NULL && polygon->count >= 3 && polygon->count <= CAIRN_MAX_VERTICES ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static void measure(const cairn_shape *shape, cairn_mass_data *mass) { *mass = shape->polygon->mass; }
+static cairn_wide area(const cairn_shape *shape) { return shape->polygon->mass.area; }
+static cairn_wide gyration(const cairn_shape *shape) { return shape->polygon->mass.gyration; }
 
 /* The nearest edge. */
 static cairn_real inradius(const cairn_shape *shape)
@@ -50,5 +51,5 @@ static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_polygon_class = {
-    2, check, measure, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons, cairn_collide_polygons }
+    2, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons, cairn_collide_polygons }
 };

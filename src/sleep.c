@@ -1,5 +1,5 @@
 /*
- * Sleep. At the end of a step, bodies linked by contacts and springs form groups (union-find over the bodies' `next`);
+ * Sleep. At the end of a step, bodies linked by contacts and springs form groups (union-find over the bodies' links);
  * a group all of whose bodies have been slow for half a second falls asleep as a whole, and wakes as a whole.
  */
 #include "engine.h"
@@ -63,9 +63,12 @@ static void disturb(cairn_world *world, const cairn_body *body)
 
 static uint16_t root_of(cairn_world *world, uint16_t index)
 {
-    while (world->bodies[index].next != index) {
-        world->bodies[index].next = world->bodies[world->bodies[index].next].next;
-        index = world->bodies[index].next;
+    uint16_t next = cairn_body_link(&world->bodies[index]);
+    while (next != index) {
+        next = cairn_body_link(&world->bodies[next]);
+        cairn_body_set_link(&world->bodies[index], next);
+        index = next;
+        next = cairn_body_link(&world->bodies[index]);
     }
     return index;
 }
@@ -75,7 +78,7 @@ static void join(cairn_world *world, uint16_t a, uint16_t b)
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     if (cairn_body_is_dynamic(body_a) && cairn_body_is_dynamic(body_b)) {
         uint16_t root_a = root_of(world, a), root_b = root_of(world, b);
-        world->bodies[root_a > root_b ? root_a : root_b].next = root_a > root_b ? root_b : root_a;
+        cairn_body_set_link(&world->bodies[root_a > root_b ? root_a : root_b], root_a > root_b ? root_b : root_a);
     } else if (cairn_body_is_dynamic(body_b) ? is_stirring(body_a) : is_stirring(body_b)) {
         body_a->rest = 0; /* carried by a moving platform */
         body_b->rest = 0;
@@ -84,11 +87,15 @@ static void join(cairn_world *world, uint16_t a, uint16_t b)
 
 static bool is_within(cairn_motion v, cairn_motion limit) { return v <= limit && -v <= limit; }
 
+/* A body's count of steps has 8 bits: at rates beyond 510 a second only every second, or fourth, step adds to it. */
+static unsigned counted_in(const cairn_world *world) { return world->rate <= CAIRN_F(510) ? 0 : world->rate <= CAIRN_F(1020) ? 1 : 2; }
+
 static void count_rest(cairn_world *world, cairn_body *body)
 {
+    unsigned counts = (world->stats.steps & ((1u << counted_in(world)) - 1)) == 0 && body->rest < 255;
     cairn_motion limit = cairn_motion_from_real(REST_SPEED, world->substep);
     bool slow = is_within(body->vx, limit) && is_within(body->vy, limit) && is_within(body->w, limit);
-    body->rest = (uint16_t)(!slow ? 0 : body->rest < UINT16_MAX ? body->rest + 1 : UINT16_MAX);
+    body->rest = (slow ? body->rest + counts : 0) & 255u;
 }
 
 static void fall_asleep(cairn_body *body)
@@ -97,13 +104,22 @@ static void fall_asleep(cairn_body *body)
     body->vx = body->vy = body->w = 0;
 }
 
+static void drop_links(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        if (world->bodies[i].flags & CAIRN_BODY_USED) {
+            cairn_body_set_link(&world->bodies[i], 0);
+        }
+    }
+}
+
 static void settle(cairn_world *world)
 {
-    uint16_t patience = (uint16_t)(cairn_real_floor(world->rate) / 2);
+    unsigned patience = (unsigned)(cairn_real_floor(world->rate) / 2) >> counted_in(world);
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body)) {
-            body->next = i;
+            cairn_body_set_link(body, i);
             body->flags &= (uint16_t)~CAIRN_BODY_RESTLESS;
             count_rest(world, body);
         }
@@ -129,6 +145,7 @@ static void settle(cairn_world *world)
             fall_asleep(body);
         }
     }
+    drop_links(world);
 }
 
 static const cairn_sleep_class class_of_sleep = { wake, settle, disturb };

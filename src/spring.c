@@ -313,8 +313,7 @@ cairn_status cairn_spring_tune(cairn_world *world, cairn_spring_def *def, cairn_
     if (!cairn_body_is_dynamic(a) && !cairn_body_is_dynamic(b)) {
         return cairn_fail(world, CAIRN_ERROR_KIND);
     }
-    cairn_wide mass = !cairn_body_is_dynamic(a) ? b->mass : !cairn_body_is_dynamic(b) ? a->mass
-                    : cairn_wide_div(cairn_wide_mul(a->mass, b->mass), cairn_wide_add(a->mass, b->mass));
+    cairn_wide mass = cairn_bodies_reduced_mass(a, b);
     cairn_wide omega = cairn_wide_mul(cairn_wide_mul(cairn_wide_from_int(2), CAIRN_WIDE_PI), cairn_wide_from_real(frequency));
     cairn_wide impedance = cairn_wide_mul(mass, omega);
     def->stiffness = cairn_wide_mul(impedance, omega);

@@ -83,9 +83,10 @@ static matrix oscillator(cairn_share w, cairn_share d_over_16)
 /* b or d: stiffness (damping) in sub-step units. */
 static cairn_wide in_substeps(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_wide amount, cairn_wide power)
 {
-    cairn_wide inverse = cairn_wide_add(spring->share_a != 0 ? cairn_wide_div(cairn_wide_from_int(1), a->mass) : cairn_wide_from_int(0),
-                                        spring->share_b != 0 ? cairn_wide_div(cairn_wide_from_int(1), b->mass) : cairn_wide_from_int(0));
-    return cairn_wide_mul(cairn_wide_mul(amount, power), inverse);
+    if (spring->share_a == 0 && spring->share_b == 0) {
+        return cairn_wide_from_int(0);
+    }
+    return cairn_wide_div(cairn_wide_mul(amount, power), cairn_bodies_reduced_mass(a, b));
 }
 
 static void map_exactly(cairn_spring *spring, cairn_wide b, cairn_wide d)
@@ -112,8 +113,7 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     bool moves_a = cairn_body_is_dynamic(a), moves_b = cairn_body_is_dynamic(b);
-    spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1)
-                    : cairn_wide_to_share(cairn_wide_div(b->mass, cairn_wide_add(a->mass, b->mass)));
+    spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1) : cairn_bodies_share(a, b);
     spring->share_b = moves_b ? CAIRN_SHARE(1) - spring->share_a : 0;
     cairn_wide stiffness = in_substeps(spring, a, b, spring->stiffness, cairn_wide_mul(world->substep, world->substep));
     cairn_wide damping = in_substeps(spring, a, b, spring->damping, world->substep);

@@ -175,7 +175,7 @@ static cairn_wide leverage(const cairn_body *body, cairn_offset x, cairn_offset 
 {
     cairn_wide one = cairn_wide_from_int(1);
     cairn_wide arm = cairn_wide_add(square(cairn_wide_from_offset(x)), square(cairn_wide_from_offset(y)));
-    cairn_wide lever = cairn_wide_mul(arm, square(body->inverse_gyration));
+    cairn_wide lever = cairn_wide_mul(arm, square(cairn_body_inverse_gyration(body)));
     return cairn_wide_less(lever, one) ? one : lever;
 }
 
@@ -183,8 +183,7 @@ static cairn_wide leverage(const cairn_body *body, cairn_offset x, cairn_offset 
 static void weigh(const cairn_world *world, const cairn_spring *spring, cairn_wide *stiffness, cairn_wide *damping)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-    cairn_wide mass = !cairn_body_is_dynamic(a) ? b->mass : !cairn_body_is_dynamic(b) ? a->mass
-                    : cairn_wide_div(cairn_wide_mul(a->mass, b->mass), cairn_wide_add(a->mass, b->mass));
+    cairn_wide mass = cairn_bodies_reduced_mass(a, b);
     cairn_wide limit = cairn_wide_mul(mass, STIFFNESS_MAX);
     *stiffness = least(cairn_wide_mul(spring->stiffness, square(world->substep)), limit);
     *damping = least(cairn_wide_mul(spring->damping, world->substep), limit);
@@ -198,7 +197,7 @@ static void load(const cairn_world *world, cairn_mesh *mesh, uint16_t place, cai
     cairn_mesh_node *node = &mesh->nodes[place];
     const cairn_body *body = &world->bodies[node->body];
     node->scale = cairn_wide_add(node->scale, weight);
-    if ((x != 0 || y != 0) && !cairn_wide_is_zero(body->inverse_gyration)) {
+    if ((x != 0 || y != 0) && cairn_body_can_turn(body)) {
         node->turning = cairn_wide_add(node->turning, cairn_wide_mul(weight, leverage(body, x, y)));
         node->turns = 1;
     }
@@ -210,7 +209,7 @@ static void weigh_links(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *p
 {
     cairn_wide most = cairn_wide_from_int(0), softest = cairn_wide_from_int(1), stiffness, damping;
     for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        mesh->nodes[i].scale = mesh->nodes[i].turning = world->bodies[mesh->nodes[i].body].mass;
+        mesh->nodes[i].scale = mesh->nodes[i].turning = cairn_body_mass_of(&world->bodies[mesh->nodes[i].body]);
     }
     for (uint16_t i = part->link; i < part->link + part->links; i++) {
         const cairn_mesh_link *link = &mesh->links[i];
@@ -237,7 +236,7 @@ static void weigh_links(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *p
     }
     for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
         cairn_mesh_node *node = &mesh->nodes[i];
-        cairn_wide mass = world->bodies[node->body].mass;
+        cairn_wide mass = cairn_body_mass_of(&world->bodies[node->body]);
         node->mass = cairn_wide_to_share(cairn_wide_div(mass, node->scale));
         node->inertia = cairn_wide_to_share(cairn_wide_div(mass, node->turning));
         softest = cairn_wide_less(cairn_wide_div(mass, node->scale), softest) ? cairn_wide_div(mass, node->scale) : softest;

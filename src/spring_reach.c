@@ -19,7 +19,7 @@ static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset x, cairn_of
         return none;
     }
     if (dw != 0) {
-        cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, body->inverse_gyration)), &c, &s);
+        cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, cairn_body_inverse_gyration(body))), &c, &s);
     }
     return arm_of(x, y, c, s);
 }
@@ -74,10 +74,10 @@ bool cairn_spring_is_plain(const cairn_spring *spring, const cairn_body *a, cons
 /* (r x n) / rho */
 cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_unit x, cairn_unit y)
 {
-    if ((arm.x == 0 && arm.y == 0) || cairn_wide_is_zero(body->inverse_gyration)) {
+    if ((arm.x == 0 && arm.y == 0) || !cairn_body_can_turn(body)) {
         return 0;
     }
-    return cairn_lever_of(cairn_offset_dot(arm.x, -arm.y, y, x), body->inverse_gyration);
+    return cairn_lever_of(cairn_offset_dot(arm.x, -arm.y, y, x), cairn_body_inverse_gyration(body));
 }
 
 void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *r)

@@ -23,7 +23,8 @@ typedef double cairn_wide;
 typedef double cairn_push;
 typedef double cairn_area;
 typedef uint8_t cairn_carry;
-typedef uint8_t cairn_residue; /* nothing lies below a double's last bit */
+typedef double cairn_packed;
+typedef uint16_t cairn_residue; /* nothing lies below a double's last bit */
 
 #define CAIRN_PI 3.14159265358979323846
 #define CAIRN_F(x) ((cairn_real)(x))
@@ -77,6 +78,8 @@ static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
 #define CAIRN_DENSITY(x) (x)
 #define CAIRN_WIDE_PI CAIRN_PI
 static inline cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d) { return fabs(a * d - b * c); }
+static inline cairn_packed cairn_wide_pack(cairn_wide k) { return k; }
+static inline cairn_wide cairn_wide_unpack(cairn_packed p) { return p; }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }

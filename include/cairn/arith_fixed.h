@@ -27,6 +27,7 @@ typedef int64_t cairn_push;
 typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
 typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.43: half a unit of Q4.28 at most */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
+typedef uint32_t cairn_packed;  /* the mantissa in the upper 24 bits, the exponent in the lower 8; zero is 0 */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
 typedef struct cairn_wide {
@@ -207,6 +208,19 @@ static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
 {
     if (a.mantissa == 0 || b.mantissa == 0) { return a.mantissa < b.mantissa; }
     return a.exponent != b.exponent ? a.exponent < b.exponent : a.mantissa < b.mantissa;
+}
+/* As a body keeps it: within 2^-25 of itself, for exponents of -128 to 127. */
+static inline cairn_packed cairn_wide_pack(cairn_wide k)
+{
+    uint32_t carry = k.mantissa >= 0xFFFFFF80u, mantissa = carry ? 0x80000000u : k.mantissa + 128u;
+    return k.mantissa == 0 ? 0 : (mantissa & 0xFFFFFF00u) | (((uint32_t)k.exponent + carry) & 0xFFu);
+}
+static inline cairn_wide cairn_wide_unpack(cairn_packed p)
+{
+    cairn_wide k;
+    k.mantissa = p & 0xFFFFFF00u;
+    k.exponent = (int8_t)(uint8_t)p;
+    return k;
 }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }

@@ -51,26 +51,27 @@ typedef struct cairn_body_model {
 #define CAIRN_BODY_MODEL(type, shape, material) \
     { (shape), (material), (type), CAIRN_DENSITY(1), CAIRN_F(1), 0, 0, 1, 0xFFFF, false, false, false, NULL }
 
-/* The layout of a body is the engine's own: games use ids and the functions below. */
+/*
+ * The layout of a body is the engine's own: games use ids and the functions below. What the sub-steps touch comes first,
+ * within reach of a Cortex-M0's short offsets.
+ */
 typedef struct cairn_body {
     /* Sub-step state, see DESIGN.md: velocity * h, velocity at the sub-step's start, displacement in this step.
        The turning components (w) are angles times the radius of gyration. */
     cairn_motion vx, vy, w;
     cairn_motion ux, uy, uw; /* between steps: the velocity change per sub-step by the applied forces */
-    cairn_motion dx, dy, dw;
+    cairn_motion dx, dy, dw; /* where nothing moves dw may hold a link, see engine.h */
+    uint16_t flags;
+    uint16_t generation;
+    cairn_real extent_x, extent_y; /* half sizes of the bounding box, with the margin of this step */
     cairn_real x, y; /* centre of mass */
-    cairn_residue x_residue, y_residue;
+    unsigned x_residue : 12, y_residue : 12; /* cairn_residue */
+    unsigned rest : 8;              /* steps at rest, see sleep.c */
     cairn_carry vx_carry, vy_carry; /* of impacts, see bounce.c */
     cairn_angle angle;
     cairn_unit cosine, sine;
-    cairn_real extent_x, extent_y; /* half sizes of the bounding box, with the margin of this step */
     const cairn_body_model *model;
-    cairn_wide mass;             /* kg; zero if not dynamic */
-    cairn_wide inverse_gyration; /* 1/m */
-    uint16_t generation;
-    uint16_t next; /* the next free body, or the next of the island */
-    uint16_t flags;
-    uint16_t rest; /* steps at rest */
+    cairn_packed inverse_gyration; /* 1/m; zero if it cannot turn */
 } cairn_body;
 
 static inline cairn_body_id cairn_body_id_null(void)

@@ -448,6 +448,24 @@ void test_wide_zero_absorbs_and_is_neutral(void)
     TEST_ASSERT_EQUAL_INT32(0, cairn_wide_scale(0, two, 100));
 }
 
+void test_a_packed_number_is_within_2_to_the_minus_25_and_zero_stays_zero(void)
+{
+    static const uint32_t mantissas[] = { 0x80000000u, 0x8000007Fu, 0x80000080u, 0xC0FFEE42u, 0xFFFFFF7Fu, 0xFFFFFF80u, 0xFFFFFFFFu };
+    static const int32_t exponents[] = { -127, -40, -31, 0, 126 };
+    for (int i = 0; i < 7; i++) {
+        for (int j = 0; j < 5; j++) {
+            cairn_wide k = { mantissas[i], exponents[j] };
+            cairn_wide back = cairn_wide_unpack(cairn_wide_pack(k));
+            int64_t off = back.exponent == k.exponent ? (int64_t)back.mantissa - k.mantissa : 2 * (int64_t)back.mantissa - k.mantissa;
+            TEST_ASSERT_TRUE(back.mantissa & 0x80000000u);
+            TEST_ASSERT_TRUE(back.exponent == k.exponent || back.exponent == k.exponent + 1);
+            TEST_ASSERT_TRUE(off <= 128 && off >= -128);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, cairn_wide_pack(cairn_wide_from_int(0)));
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_unpack(0)));
+}
+
 void test_wide_sum_of_neighbours_and_of_far_ones(void)
 {
     cairn_wide one = cairn_wide_from_int(1);

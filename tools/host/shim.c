@@ -425,7 +425,7 @@ static void state(shim_world *w, cairn_body_id id, double *out)
     out[2] = from_angle(body->angle);
     out[3] = from_velocity(body->vx, body->vx_carry) * rate;
     out[4] = from_velocity(body->vy, body->vy_carry) * rate;
-    out[5] = from_motion(body->w) * rate * from_wide(body->inverse_gyration);
+    out[5] = from_motion(body->w) * rate * from_wide(cairn_wide_unpack(body->inverse_gyration));
 }
 
 void shim_states(shim_world *w, const int64_t *bodies, int count, double *out)
