@@ -13,20 +13,44 @@
 
 static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
 
-/* The first place whose arbiter's key is not below this one. */
+static uint32_t key_at(const cairn_world *world, uint16_t place)
+{
+    const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+    return key_of(arbiter->a, arbiter->b);
+}
+
+/* The first place whose arbiter's key is not below this one. Pairs come nearly in the order of their arbiters: mostly it is the one expected. */
 static uint16_t place_of(const cairn_world *world, uint32_t key)
 {
-    uint16_t low = 0, high = world->arbiter_count;
+    uint16_t low = 0, high = world->arbiter_count, next = world->next_place;
+    if (next < high && key_at(world, next) < key) {
+        low = (uint16_t)(next + 1);
+    } else if (next == 0 || (next <= high && key_at(world, (uint16_t)(next - 1)) < key)) {
+        return next;
+    }
     while (low < high) {
         uint16_t middle = (uint16_t)(low + ((high - low) >> 1));
-        const cairn_arbiter *arbiter = cairn_arbiter_at(world, middle);
-        if (key_of(arbiter->a, arbiter->b) < key) {
+        if (key_at(world, middle) < key) {
             low = (uint16_t)(middle + 1);
         } else {
             high = middle;
         }
     }
     return low;
+}
+
+/* The arbiter of a pair; null if there is none yet, and then the place for it. */
+static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b, uint16_t *place)
+{
+    uint32_t key = key_of(a, b);
+    uint16_t next = world->next_place;
+    if (next >= world->arbiter_count || key_at(world, next) != key) {
+        next = place_of(world, key);
+    }
+    bool found = next < world->arbiter_count && key_at(world, next) == key;
+    *place = next;
+    world->next_place = (uint16_t)(found ? next + 1 : next);
+    return found ? cairn_arbiter_at(world, next) : NULL;
 }
 
 /* Coulomb's coefficients of the pair: geometric means. */
@@ -147,44 +171,42 @@ static bool any_penetrates(const cairn_manifold *manifold)
     return manifold->points[0].separation <= 0 || (manifold->count > 1 && manifold->points[1].separation <= 0);
 }
 
-void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
+/* What an arbiter is in this step, from here on; what it was in the one before is kept. */
+static void renew(cairn_world *world, cairn_arbiter *arbiter, unsigned marks)
 {
-    world->stats.pairs++;
-    if (!cairn_bodies_may_meet(world, a, b)) {
+    if (!(arbiter->flags & CAIRN_ARBITER_FRESH)) { /* else it was found before something woke, too */
+        unsigned touched = cairn_flag_if((arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED);
+        arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)(CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED | CAIRN_ARBITER_SOLVED)) | touched);
+        world->fresh++;
+    }
+    arbiter->flags = (uint8_t)(arbiter->flags | CAIRN_ARBITER_FRESH | marks);
+    world->uneven |= marks & CAIRN_ARBITER_SOLVED ? arbiter->block & CAIRN_BLOCK_UNEVEN : 0;
+}
+
+/* The contact of two bodies in this step. */
+static void look(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
+{
+    if ((a->flags | b->flags) & CAIRN_BODY_FAST) {
+        world->continuous->meet(world, a, b, manifold);
         return;
     }
-    /* The body that does not move, else the one with the lower place, comes first. */
-    bool first_moves = cairn_body_is_dynamic(&world->bodies[a]), second_moves = cairn_body_is_dynamic(&world->bodies[b]);
-    if ((first_moves && !second_moves) || (first_moves == second_moves && a > b)) {
-        uint16_t swap = a;
-        a = b;
-        b = swap;
+    cairn_offset margin = cairn_body_reach(world, a) + cairn_body_reach(world, b);
+    cairn_bodies_collide(a, b, margin, manifold);
+    if (manifold->count != 0 && world->continuous != NULL) {
+        world->continuous->slide(world, a, b, margin, manifold);
     }
-    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)) {
-        return;
-    }
-    uint16_t place = place_of(world, key_of(a, b));
-    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
-    if (arbiter != NULL && (arbiter->a != a || arbiter->b != b)) {
-        arbiter = NULL;
-    }
-    if (arbiter != NULL && cairn_arbiter_holds(world, arbiter)) {
-        bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
-        arbiter->flags |= (uint8_t)(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
-        world->uneven |= arbiter->block & CAIRN_BLOCK_UNEVEN;
-        return;
-    }
+}
+
+/* Look at a pair, whose arbiter has its place there, and is null if there is none yet. */
+static void meet(cairn_world *world, uint16_t place, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
+{
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
-    if ((body_a->flags | body_b->flags) & CAIRN_BODY_FAST) {
-        world->continuous->meet(world, body_a, body_b, &manifold);
-    } else {
-        cairn_offset margin = cairn_body_reach(world, body_a) + cairn_body_reach(world, body_b);
-        cairn_bodies_collide(body_a, body_b, margin, &manifold);
-        if (manifold.count != 0 && world->continuous != NULL) {
-            world->continuous->slide(world, body_a, body_b, margin, &manifold);
-        }
+    if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)
+        || !cairn_bodies_may_meet(world, a, b)) {
+        return;
     }
+    look(world, body_a, body_b, &manifold);
     if (manifold.count == 0) {
         return;
     }
@@ -194,16 +216,30 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
             return;
         }
     }
-    arbiter->flags |= CAIRN_ARBITER_FRESH;
-    if (any_penetrates(&manifold)) {
-        arbiter->flags |= CAIRN_ARBITER_TOUCHING;
-    }
     cairn_arbiter_prepare(world, arbiter, &manifold);
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
-    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps) {
-        arbiter->flags |= CAIRN_ARBITER_SOLVED;
-        world->uneven |= arbiter->block & CAIRN_BLOCK_UNEVEN;
+    bool solved = !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps;
+    renew(world, arbiter, cairn_flag_if(solved, CAIRN_ARBITER_SOLVED) | cairn_flag_if(any_penetrates(&manifold), CAIRN_ARBITER_TOUCHING));
+}
+
+void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
+{
+    bool moves_a = cairn_body_is_dynamic(&world->bodies[a]), moves_b = cairn_body_is_dynamic(&world->bodies[b]);
+    world->stats.pairs++;
+    /* The body that does not move, else the one with the lower place, comes first. */
+    if (moves_a == moves_b ? a > b : moves_a) {
+        uint16_t swap = a;
+        a = b;
+        b = swap;
     }
+    uint16_t place;
+    cairn_arbiter *arbiter = find(world, a, b, &place);
+    if (arbiter != NULL && cairn_arbiter_holds(arbiter, &world->bodies[a], &world->bodies[b])) {
+        bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
+        renew(world, arbiter, CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
+        return;
+    }
+    meet(world, place, arbiter, a, b);
 }
 
 /* What touches and is driven together faster than this, m per sub-step, is held back: see hold_back(). */
@@ -245,24 +281,23 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
 
 void cairn_arbiters_begin(cairn_world *world)
 {
+    world->next_place = 0;
+    world->fresh = 0;
+    if (world->continuous == NULL || (!world->driven && world->fast == 0)) {
+        return; /* what the solver leaves of an approach is too slow to be looked ahead for, unless something is fast */
+    }
+    world->driven = false;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        bool touched = (arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0;
-        if (!cairn_body_is_active(&world->bodies[arbiter->a]) && !cairn_body_is_active(&world->bodies[arbiter->b])) {
-            arbiter->flags &= (uint8_t)~(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHED);
-            arbiter->flags |= (uint8_t)(touched ? CAIRN_ARBITER_TOUCHED : 0);
-            continue;
-        }
-        arbiter->flags &= (uint8_t)~(CAIRN_ARBITER_FRESH | CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED);
-        arbiter->flags |= (uint8_t)(touched ? CAIRN_ARBITER_TOUCHED : 0);
-        if (touched && world->continuous != NULL && !(arbiter->flags & CAIRN_ARBITER_SENSOR)) {
+        if ((arbiter->flags & (CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_SENSOR)) == CAIRN_ARBITER_TOUCHING
+            && (cairn_body_is_active(&world->bodies[arbiter->a]) || cairn_body_is_active(&world->bodies[arbiter->b]))) {
             hold_back(world, arbiter);
         }
     }
 }
 
 /* Keep the arbiters for which `keep` holds, in order; the others' slots go to the free ones behind. */
-static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body), uint16_t body)
+static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, cairn_arbiter *arbiter, uint16_t body), uint16_t body)
 {
     uint16_t kept = 0;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
@@ -275,16 +310,28 @@ static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, co
     world->arbiter_count = kept;
 }
 
-static bool is_current(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body)
+static bool is_current(const cairn_world *world, cairn_arbiter *arbiter, uint16_t body)
 {
     (void)body;
-    return (arbiter->flags & CAIRN_ARBITER_FRESH)
-        || (!cairn_body_is_active(&world->bodies[arbiter->a]) && !cairn_body_is_active(&world->bodies[arbiter->b]));
+    if (arbiter->flags & CAIRN_ARBITER_FRESH) {
+        return true;
+    }
+    if (cairn_body_is_active(&world->bodies[arbiter->a]) || cairn_body_is_active(&world->bodies[arbiter->b])) {
+        return false;
+    }
+    unsigned touched = cairn_flag_if((arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED); /* and still does */
+    arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)(CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHED)) | touched);
+    return true;
 }
 
-void cairn_arbiters_sweep(cairn_world *world) { retain(world, is_current, 0); }
+void cairn_arbiters_sweep(cairn_world *world)
+{
+    if (world->fresh != world->arbiter_count) {
+        retain(world, is_current, 0);
+    }
+}
 
-static bool is_of_others(const cairn_world *world, const cairn_arbiter *arbiter, uint16_t body)
+static bool is_of_others(const cairn_world *world, cairn_arbiter *arbiter, uint16_t body)
 {
     (void)world;
     return arbiter->a != body && arbiter->b != body;
@@ -293,7 +340,7 @@ static bool is_of_others(const cairn_world *world, const cairn_arbiter *arbiter,
 void cairn_arbiters_wake_partners(cairn_world *world, uint16_t body)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (!is_of_others(world, arbiter, body)) {
             cairn_body_wake_up(world, &world->bodies[arbiter->a == body ? arbiter->b : arbiter->a]);
         }
@@ -312,6 +359,7 @@ void cairn_arbiters_refresh_materials(cairn_world *world, uint16_t body)
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (!is_of_others(world, arbiter, body)) {
             mix_materials(arbiter, world->bodies[arbiter->a].model->material, world->bodies[arbiter->b].model->material);
+            cairn_arbiter_doubt(arbiter); /* may they still meet? */
         }
     }
 }

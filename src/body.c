@@ -208,6 +208,7 @@ static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 veloci
     if (body->flags & CAIRN_BODY_FIXED_POSITION) {
         return;
     }
+    world->driven = true;
     body->vx = cairn_motion_from_real(velocity.x, world->substep);
     body->vx_carry = body->vy_carry = 0;
     body->vy = cairn_motion_from_real(velocity.y, world->substep);

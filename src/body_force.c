@@ -66,6 +66,7 @@ cairn_status cairn_body_apply_impulse(cairn_world *world, cairn_body_id id, cair
     if (body != NULL) {
         cairn_body_wake_up(world, body);
         add_linear(body, &body->vx, &body->vy, impulse, world->substep);
+        world->driven = true;
         cairn_body_limit_speed(world, body);
     }
     return status;

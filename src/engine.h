@@ -46,7 +46,7 @@ enum {
 
 /* arbiter.flags */
 enum {
-    CAIRN_ARBITER_FRESH = 1 << 0,    /* seen by this step's narrow phase */
+    CAIRN_ARBITER_FRESH = 1 << 0,    /* found in this step */
     CAIRN_ARBITER_SENSOR = 1 << 1,   /* not solved */
     CAIRN_ARBITER_TOUCHING = 1 << 2,
     CAIRN_ARBITER_TOUCHED = 1 << 3,  /* touching in the step before */
@@ -211,7 +211,7 @@ void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull);
 bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b);
 /* Both bodies come within reach of one another's boxes: refresh their arbiter. Each pair once a step. */
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
-/* Before the pairs: nothing is fresh yet. */
+/* Before the pairs. */
 void cairn_arbiters_begin(cairn_world *world);
 /* After the pairs: forget the arbiters that none of them refreshed. */
 void cairn_arbiters_sweep(cairn_world *world);
@@ -238,8 +238,15 @@ bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
 /* ---- hold.c: contacts at rest ---- */
 /* At the end of the step: follow the points of a contact by the motion of its bodies, without looking at their shapes. */
 void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter);
+/* A contact of two points holds while none of them is farther apart than this, m; one that does not hold for another reason says so by it. */
+#define CAIRN_HOLD_GAP CAIRN_MOTION(0.002)
 /* Do the rows of the step before serve for this one? */
-bool cairn_arbiter_holds(const cairn_world *world, const cairn_arbiter *arbiter);
+static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    bool serves = arbiter->count > 1 ? arbiter->rows[0].gap <= CAIRN_HOLD_GAP : arbiter->slip < 0;
+    return serves && !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
+        && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
+}
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);
 /* In this step its rows are to be made anew. */

@@ -14,8 +14,7 @@
 
 /* The rows serve while the surfaces have slipped by less than this, */
 #define HOLD_SLIP CAIRN_MOTION(0.002)
-/* no point is farther apart than this, m, */
-#define HOLD_GAP CAIRN_MOTION(0.002)
+/* no point is farther apart than CAIRN_HOLD_GAP, */
 /* and neither body has turned by more than this. */
 #define HOLD_TURN CAIRN_RADIANS(0.005)
 /* A row of one point serves for this way at most, in sizes of the smaller body. */
@@ -31,11 +30,6 @@
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
-static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
-{
-    return magnitude(x) <= limit && magnitude(y) <= limit && magnitude(w) <= limit;
-}
-
 void cairn_arbiter_let_go(cairn_arbiter *arbiter)
 {
     arbiter->slip = LET_GO;
@@ -45,7 +39,8 @@ void cairn_arbiter_let_go(cairn_arbiter *arbiter)
 void cairn_arbiter_doubt(cairn_arbiter *arbiter)
 {
     if (arbiter->count > 1) {
-        arbiter->rows[0].gap = 2 * HOLD_GAP;
+        cairn_motion gap = arbiter->rows[0].gap; /* a larger one tells what came in flight */
+        arbiter->rows[0].gap = gap > CAIRN_HOLD_GAP ? gap : 2 * CAIRN_HOLD_GAP;
     } else {
         cairn_arbiter_let_go(arbiter);
     }
@@ -73,17 +68,11 @@ void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
     arbiter->heading_b = cairn_heading_of(b->angle);
 }
 
-bool cairn_arbiter_holds(const cairn_world *world, const cairn_arbiter *arbiter)
+/* Whether all of the motion of two bodies is below a limit; near it, by less than half, it may say no. */
+static bool is_below(cairn_motion xa, cairn_motion ya, cairn_motion wa, cairn_motion xb, cairn_motion yb, cairn_motion wb, cairn_motion limit)
 {
-    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    if ((arbiter->flags & CAIRN_ARBITER_SENSOR) || ((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))) {
-        return false;
-    }
-    if (arbiter->count < 2) {
-        return arbiter->count == 1 && arbiter->slip < 0;
-    }
-    return magnitude(arbiter->slip) < HOLD_SLIP && arbiter->rows[0].gap <= HOLD_GAP && arbiter->rows[1].gap <= HOLD_GAP
-        && cairn_heading_is_near(arbiter->heading_a, a->angle, HOLD_TURN) && cairn_heading_is_near(arbiter->heading_b, b->angle, HOLD_TURN);
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(xa), ya), wa);
+    return cairn_size_is_below(cairn_size_with(cairn_size_with(cairn_size_with(size, xb), yb), wb), limit);
 }
 
 /* The motion of b against a in the step, eight times: what is rounded is then small, and no less than zero in the mean. */
@@ -101,35 +90,38 @@ static relative_motion motion_of(const cairn_body *a, const cairn_body *b)
     return by;
 }
 
-static cairn_motion turning(const relative_motion *by, cairn_lever ja, cairn_lever jb)
+static inline cairn_motion turning(const relative_motion *by, cairn_lever ja, cairn_lever jb)
 {
     return cairn_motion_lever(by->spin_b, jb) - cairn_motion_lever(by->spin_a, ja);
 }
 
 /* The gap of a row as rows.c has it, after the points have come apart by an eighth of this. */
-static void open_gap(cairn_row *row, cairn_motion eightfold)
+static inline void open_gap(cairn_row *row, cairn_motion eightfold)
 {
-    bool was_apart = row->gap > 0;
-    row->gap += cairn_motion_eighth(was_apart ? eightfold : cairn_motion_ratio(eightfold, CAIRN_SOFT_BETA));
-    if (was_apart && row->gap < 0) {
-        row->gap = cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA);
-    } else if (!was_apart && row->gap > 0) {
-        row->gap = cairn_motion_factor(row->gap, DEPTH);
+    cairn_motion gap = row->gap;
+    if (gap > 0) {
+        gap += cairn_motion_eighth(eightfold);
+        row->gap = gap < 0 ? cairn_motion_ratio(gap, CAIRN_SOFT_BETA) : gap;
+    } else {
+        gap += cairn_motion_eighth(cairn_motion_ratio(eightfold, CAIRN_SOFT_BETA));
+        row->gap = gap > 0 ? cairn_motion_factor(gap, DEPTH) : gap;
     }
 }
 
-/* Faster than twice the speed up to which bodies may come to rest? */
-static bool is_fast(const cairn_world *world, cairn_motion way) { return magnitude(way) > 2 * world->rest_limit * world->substeps; }
+/* Does the contact give way at the limit of friction? */
+static bool slips(const cairn_arbiter *arbiter)
+{
+    cairn_motion pressure = arbiter->rows[0].impulse + arbiter->rows[1].impulse;
+    return magnitude(arbiter->friction_impulse) >= cairn_motion_factor(pressure, arbiter->kinetic_friction);
+}
 
 /*
  * What slides at a speed beyond rest forgets where it stuck, until it sticks again: it stays where it comes to a stop. What sticks
  * and gives way slowly, as contacts do while a pile settles, remembers up to HOLD_SLIP and is pulled back.
  */
-static void slip_by(const cairn_world *world, cairn_arbiter *arbiter, cairn_motion way)
+static void slip_by(const cairn_world *world, cairn_arbiter *arbiter, cairn_motion way, bool fast)
 {
-    cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + arbiter->rows[1].impulse, arbiter->kinetic_friction);
-    bool slips = magnitude(arbiter->friction_impulse) >= limit;
-    if (slips && (is_fast(world, way) || arbiter->slip == LET_GO)) {
+    if ((fast || arbiter->slip == LET_GO) && slips(arbiter)) {
         cairn_arbiter_let_go(arbiter);
         return;
     }
@@ -138,14 +130,21 @@ static void slip_by(const cairn_world *world, cairn_arbiter *arbiter, cairn_moti
     arbiter->pull = cairn_motion_ratio(arbiter->slip, world->stick);
 }
 
-/* The load follows the impulse with a time constant of two seconds up to CARRIED of it, and never exceeds it. */
-static void settle(const cairn_world *world, cairn_row *row, bool at_rest)
+/* The load follows the impulse with a time constant of four seconds up to CARRIED of it, and never exceeds it. */
+static void settle(const cairn_world *world, cairn_row *row)
 {
-    if (at_rest && row->load < cairn_motion_ratio(row->impulse, CARRIED)) {
-        row->load += cairn_motion_half(cairn_motion_half(cairn_motion_ratio(row->impulse - row->load, world->rest_damping)));
+    if (row->load < cairn_motion_ratio(row->impulse, CARRIED)) {
+        row->load += cairn_motion_ratio(row->impulse - row->load, world->rest_damping);
     }
-    if (row->load > row->impulse) {
-        row->load = row->impulse;
+}
+
+/* In every fourth step, another one for the next body. */
+static void settle_in_turn(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    if (((world->stats.steps + arbiter->b) & 3u) == 0
+        && is_below(a->vx, a->vy, a->w, b->vx, b->vy, b->w, world->rest_limit)) {
+        settle(world, &arbiter->rows[0]);
+        settle(world, &arbiter->rows[1]);
     }
 }
 
@@ -158,45 +157,66 @@ static cairn_motion swept(const cairn_body *body)
 static void follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     cairn_row *row = &arbiter->rows[0];
-    relative_motion by = motion_of(a, b);
     arbiter->pull = 0;
     row->load = 0;
     if (arbiter->slip < 0) {
         arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + swept(a) + swept(b);
     }
     if (arbiter->slip < 0) { /* else the gap stays what it was when the step began, which tells what came in flight */
+        relative_motion by = motion_of(a, b);
         open_gap(row, cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y) + turning(&by, row->lever_a, row->lever_b));
     }
+}
+
+static void follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    /* Twice the speed up to which bodies may come to rest is fast. */
+    cairn_motion fast = 16 * world->rest_limit * world->substeps;
+    relative_motion by = motion_of(a, b);
+    cairn_motion apart = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion across = cairn_motion_along(by.y, -by.x, arbiter->normal_x, arbiter->normal_y)
+                        + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    bool doubtful = false;
+    for (cairn_row *row = arbiter->rows; row != arbiter->rows + 2; row++) {
+        cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
+        open_gap(row, eightfold);
+        doubtful = doubtful || magnitude(eightfold) > fast || row->gap > CAIRN_HOLD_GAP; /* a blow, or open */
+        row->load = row->load < row->impulse ? row->load : row->impulse;
+    }
+    slip_by(world, arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
+    if (doubtful || magnitude(arbiter->slip) >= HOLD_SLIP || !cairn_heading_is_near(arbiter->heading_a, a->angle, HOLD_TURN)
+        || !cairn_heading_is_near(arbiter->heading_b, b->angle, HOLD_TURN)) {
+        cairn_arbiter_doubt(arbiter);
+    }
+    settle_in_turn(world, arbiter, a, b);
+}
+
+/* Blocks and impacts have their own ways; what is deeper than the push-out tells has no known gap. */
+static bool may_follow(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    cairn_motion deepest = -world->push_out_limit;
+    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || world->slop != 0
+        || !is_below(a->dx, a->dy, a->dw, b->dx, b->dy, b->dw, HOLD_WAY)) {
+        return false;
+    }
+    for (int i = 0; i < arbiter->count; i++) {
+        if ((arbiter->rows[i].feature & CAIRN_ROW_IN_FLIGHT) || arbiter->rows[i].gap <= deepest) {
+            return false;
+        }
+    }
+    return arbiter->count != 0;
 }
 
 void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    bool two = arbiter->count > 1;
-    bool others = (arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || (arbiter->rows[0].feature & CAIRN_ROW_IN_FLIGHT)
-               || (two && (arbiter->rows[1].feature & CAIRN_ROW_IN_FLIGHT));
-    if (arbiter->count == 0 || others || world->slop != 0 || !is_within(a->dx, a->dy, a->dw, HOLD_WAY) || !is_within(b->dx, b->dy, b->dw, HOLD_WAY)
-        || arbiter->rows[0].gap <= -world->push_out_limit || (two && arbiter->rows[1].gap <= -world->push_out_limit)) {
-        cairn_arbiter_let_go(arbiter); /* blocks and impacts have their own ways */
+    if (!may_follow(world, arbiter, a, b)) {
+        cairn_arbiter_let_go(arbiter);
+        cairn_arbiter_doubt(arbiter);
         arbiter->rows[0].load = arbiter->rows[1].load = 0;
-        return;
-    }
-    if (!two) {
+    } else if (arbiter->count > 1) {
+        follow_two(world, arbiter, a, b);
+    } else {
         follow_one(arbiter, a, b);
-        return;
     }
-    bool at_rest = is_within(a->vx, a->vy, a->w, world->rest_limit) && is_within(b->vx, b->vy, b->w, world->rest_limit);
-    relative_motion by = motion_of(a, b);
-    cairn_motion apart = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
-    cairn_motion across = cairn_motion_along(by.y, -by.x, arbiter->normal_x, arbiter->normal_y);
-    for (int i = 0; i < 2; i++) {
-        cairn_row *row = &arbiter->rows[i];
-        cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
-        if (is_fast(world, cairn_motion_eighth(eightfold))) {
-            arbiter->heading_a = cairn_heading_away(arbiter->heading_a); /* a blow: the shapes are to be looked at */
-        }
-        open_gap(row, eightfold);
-        settle(world, row, at_rest);
-    }
-    slip_by(world, arbiter, cairn_motion_eighth(across + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b)));
 }

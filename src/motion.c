@@ -180,6 +180,7 @@ static void follow_contacts(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        arbiter->flags &= (uint8_t)~CAIRN_ARBITER_FRESH;
         if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
             cairn_arbiter_follow(world, arbiter);
         }

@@ -80,6 +80,7 @@ typedef struct cairn_world {
     uint16_t sorted_count;
     uint16_t body_capacity, body_end, body_free;
     uint16_t arbiter_capacity, arbiter_count;
+    uint16_t fresh, next_place; /* arbiters found in this step; where the next one is expected */
 
     const cairn_solver_class *solver;
     const cairn_broad_class *broad;
@@ -97,6 +98,7 @@ typedef struct cairn_world {
     uint8_t locked;
     uint8_t uneven; /* a contact of very different masses in this step, or a block in the one before */
     uint16_t fast; /* bodies in this step */
+    bool driven;    /* the game has set a velocity since the last step */
     bool held_back; /* a body is driven against another one that it touches */
     int8_t error;
     uint8_t blocks; /* of this step: the highest number */
