@@ -35,7 +35,7 @@ enum {
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
     CAIRN_BODY_RESTLESS = 1 << 12, /* is in a block of which something moves; in sleep.c, heads a group that may not fall asleep yet */
     CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
-    CAIRN_BODY_MET = CAIRN_BODY_STEADY, /* during the sub-steps: a contact may act on it */
+    CAIRN_BODY_MET = CAIRN_BODY_STEADY, /* during the sub-steps: takes part in them */
     CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
     CAIRN_BODY_FAST = 1 << 15,    /* moves by more than a quarter of its size in this step */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
@@ -141,8 +141,8 @@ bool cairn_body_is_still(const cairn_world *world, const cairn_body *body);
 /* A velocity into the limits; counts what was cut. */
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
 
-/* The first sub-step's velocities: forces, gravity and damping; u keeps the velocities before. */
-void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy);
+/* The first sub-step's velocity: force, gravity and damping; u keeps the velocity before. */
+void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy);
 /* The end of the step: poses move by the displacements. */
 void cairn_bodies_finish(cairn_world *world);
 

@@ -55,33 +55,27 @@ static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)
     return cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale));
 }
 
-void cairn_bodies_start(cairn_world *world, cairn_motion gx, cairn_motion gy)
+void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
-        if (!cairn_body_is_active(body)) {
-            continue;
-        }
-        cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
-        if (!(body->flags & CAIRN_BODY_PLAIN)) {
-            body->vx = damped(world, body->vx, body->model->damping);
-            body->vy = damped(world, body->vy, body->model->damping);
-            body->w = damped(world, body->w, body->model->angular_damping);
-        }
-        body->ux = body->vx;
-        body->uy = body->vy;
-        body->uw = body->w;
-        if (body->flags & CAIRN_BODY_PLAIN) {
-            body->vx = cairn_motion_add(body->vx + gx, fx);
-            body->vy = cairn_motion_add(body->vy + gy, fy);
-            body->w = cairn_motion_add(body->w, fw);
-        } else if (cairn_body_is_dynamic(body)) {
-            body->vx = cairn_motion_add(body->vx + scaled(gx, body), fx);
-            body->vy = cairn_motion_add(body->vy + scaled(gy, body), fy);
-            body->w = cairn_motion_add(body->w, fw);
-        }
-        cairn_body_limit_speed(world, body);
+    cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
+    if (!(body->flags & CAIRN_BODY_PLAIN)) {
+        body->vx = damped(world, body->vx, body->model->damping);
+        body->vy = damped(world, body->vy, body->model->damping);
+        body->w = damped(world, body->w, body->model->angular_damping);
     }
+    body->ux = body->vx;
+    body->uy = body->vy;
+    body->uw = body->w;
+    if (body->flags & CAIRN_BODY_PLAIN) {
+        body->vx = cairn_motion_add(body->vx + gx, fx);
+        body->vy = cairn_motion_add(body->vy + gy, fy);
+        body->w = cairn_motion_add(body->w, fw);
+    } else if (cairn_body_is_dynamic(body)) {
+        body->vx = cairn_motion_add(body->vx + scaled(gx, body), fx);
+        body->vy = cairn_motion_add(body->vy + scaled(gy, body), fy);
+        body->w = cairn_motion_add(body->w, fw);
+    }
+    cairn_body_limit_speed(world, body);
 }
 
 /*

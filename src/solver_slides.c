@@ -88,6 +88,16 @@ static void pass(cairn_world *world, bool first)
     }
 }
 
+static void start(cairn_world *world)
+{
+    cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        if (cairn_body_is_active(&world->bodies[i])) {
+            cairn_body_start(world, &world->bodies[i], gx, gy);
+        }
+    }
+}
+
 static void advance(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
@@ -109,7 +119,7 @@ static void solve(cairn_world *world)
     if (world->bounce != NULL) {
         world->bounce->impact(world, 0);
     }
-    cairn_bodies_start(world, cairn_diffuse(&world->gravity_x), cairn_diffuse(&world->gravity_y));
+    start(world);
     if (world->springs != NULL) {
         world->springs->kind->substep(world, 0);
     }

@@ -28,14 +28,10 @@ static inline void limit(cairn_world *world, cairn_body *body)
     }
 }
 
-/* Whether anything but its own motion acts on a body within the step. The others need no lean. */
-static inline bool is_met(const cairn_body *body) { return (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) != 0; }
-
-static inline void move(cairn_body *body)
+/* Whether a body takes part in the sub-steps. The others coast. */
+static inline bool is_met(const cairn_body *body)
 {
-    body->dx += body->vx;
-    body->dy += body->vy;
-    body->dw += body->w;
+    return (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) != 0 && cairn_body_is_active(body);
 }
 
 static inline void lean(cairn_body *body)
@@ -46,11 +42,11 @@ static inline void lean(cairn_body *body)
 }
 
 /* Enter the biased pass: v + beta d. */
-static void lean_all(cairn_world *world, int substep)
+static void lean_all(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        if (cairn_body_is_active(body) && (substep == 0 || is_met(body))) {
+        if (is_met(body)) {
             lean(body);
         }
     }
@@ -70,33 +66,88 @@ static inline void repeat(cairn_world *world, cairn_body *body, cairn_motion gx,
     limit(world, body);
 }
 
-/* A further sub-step's velocities. What nothing acts on moves at once; where no spring is to come first, the others lean. */
+/* A further sub-step's velocities. Where no spring is to come first, bodies lean at once. */
 static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        if (cairn_body_is_active(body)) {
+        if (is_met(body)) {
             repeat(world, body, gx, gy);
-            if (!is_met(body)) {
-                move(body);
-            } else if (world->springs == NULL) {
+            if (world->springs == NULL) {
                 lean(body);
             }
         }
     }
 }
 
-/* Leave the biased pass, and move by the sub-step. In the first one all bodies do. */
-static void advance(cairn_world *world, int substep)
+/* Leave the biased pass, and move by the sub-step. */
+static void advance(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        if (cairn_body_is_active(body) && (substep == 0 || is_met(body))) {
+        if (is_met(body)) {
             body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
             body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
             body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
             limit(world, body);
-            move(body);
+            body->dx += body->vx;
+            body->dy += body->vy;
+            body->dw += body->w;
+        }
+    }
+}
+
+/* What gravity alone does to a velocity and a displacement in all sub-steps. */
+typedef struct fall {
+    cairn_motion vx, vy, dx, dy;
+    bool is_slow; /* changes a velocity by less than the limit of speed: n times either fits in the format */
+} fall;
+
+static bool is_within(cairn_motion x, cairn_motion limit) { return x <= limit && -x <= limit; }
+
+static fall fall_of(const cairn_world *world)
+{
+    cairn_diffused gx = world->gravity_x, gy = world->gravity_y;
+    cairn_motion limit = world->speed_limit;
+    fall f;
+    f.vx = f.vy = f.dx = f.dy = 0;
+    f.is_slow = is_within(gx.whole, limit) && is_within(gy.whole, limit) && is_within(gx.whole * world->substeps, limit)
+             && is_within(gy.whole * world->substeps, limit);
+    for (int k = 0; f.is_slow && k < world->substeps; k++) {
+        f.vx += cairn_diffuse(&gx);
+        f.vy += cairn_diffuse(&gy);
+        f.dx += f.vx;
+        f.dy += f.vy;
+    }
+    return f;
+}
+
+/* All sub-steps at once, where nothing but gravity acts: the same sums. False if something else does. */
+static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
+{
+    cairn_motion vx = body->vx + f->vx, vy = body->vy + f->vy;
+    if (!f->is_slow || !(body->flags & CAIRN_BODY_PLAIN) || body->ux != 0 || body->uy != 0 || body->uw != 0
+        || !is_within(vx, world->speed_limit) || !is_within(vy, world->speed_limit)) {
+        return false;
+    }
+    body->dx += body->vx * world->substeps + f->dx;
+    body->dy += body->vy * world->substeps + f->dy;
+    body->dw += body->w * world->substeps;
+    body->vx = vx;
+    body->vy = vy;
+    return true;
+}
+
+/* The first sub-step's velocities. */
+static void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_motion gy)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        cairn_body *body = &world->bodies[i];
+        if (is_met(body)) {
+            cairn_body_start(world, body, gx, gy);
+        } else if (cairn_body_is_active(body) && !coast(world, body, f)) {
+            body->flags |= CAIRN_BODY_MET;
+            cairn_body_start(world, body, gx, gy);
         }
     }
 }
@@ -153,6 +204,7 @@ static void land(const cairn_world *world, cairn_arbiter *arbiter)
 static void solve(cairn_world *world)
 {
     cairn_motion last_gx = 0, last_gy = 0;
+    const fall f = fall_of(world);
     if (world->springs != NULL) {
         world->springs->kind->prepare(world);
     }
@@ -165,8 +217,8 @@ static void solve(cairn_world *world)
         }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
-            cairn_bodies_start(world, gx, gy);
             cairn_sweep_choose(world);
+            start(world, &f, gx, gy);
             cairn_sweep_warm_start(world);
             if (world->blocks != 0) {
                 world->block->warm_start(world);
@@ -186,13 +238,13 @@ static void solve(cairn_world *world)
             world->springs->kind->substep(world, k);
         }
         if (k == 0 ? world->bounce != NULL : world->springs != NULL) { /* without impacts nothing has moved yet */
-            lean_all(world, k);
+            lean_all(world);
         }
         cairn_sweep_biased(world);
         if (world->blocks != 0) {
             world->block->biased_pass(world);
         }
-        advance(world, k);
+        advance(world);
         cairn_sweep_relax(world);
         if (world->blocks != 0) {
             world->block->relax_pass(world);
