@@ -13,24 +13,14 @@
 
 static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
 
-static uint32_t key_at(const cairn_world *world, uint16_t place)
-{
-    const cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-    return key_of(arbiter->a, arbiter->b);
-}
-
-/* The first place whose arbiter's key is not below this one. Pairs come nearly in the order of their arbiters: mostly it is the one expected. */
+/* The first place whose arbiter's key is not below this one. */
 static uint16_t place_of(const cairn_world *world, uint32_t key)
 {
-    uint16_t low = 0, high = world->arbiter_count, next = world->next_place;
-    if (next < high && key_at(world, next) < key) {
-        low = (uint16_t)(next + 1);
-    } else if (next == 0 || (next <= high && key_at(world, (uint16_t)(next - 1)) < key)) {
-        return next;
-    }
+    uint16_t low = 0, high = world->arbiter_count;
     while (low < high) {
         uint16_t middle = (uint16_t)(low + ((high - low) >> 1));
-        if (key_at(world, middle) < key) {
+        const cairn_arbiter *arbiter = cairn_arbiter_at(world, middle);
+        if (key_of(arbiter->a, arbiter->b) < key) {
             low = (uint16_t)(middle + 1);
         } else {
             high = middle;
@@ -39,18 +29,26 @@ static uint16_t place_of(const cairn_world *world, uint32_t key)
     return low;
 }
 
-/* The arbiter of a pair; null if there is none yet, and then the place for it. */
-static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b, uint16_t *place)
+/* Pairs come in nearly the same order as in the step before: each arbiter knows the one that was found after it. */
+static void expect_after(cairn_world *world, cairn_arbiter *arbiter)
 {
-    uint32_t key = key_of(a, b);
-    uint16_t next = world->next_place;
-    if (next >= world->arbiter_count || key_at(world, next) != key) {
-        next = place_of(world, key);
+    *world->expected = (uint16_t)(arbiter - world->arbiters);
+    world->expected = &arbiter->after;
+}
+
+static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
+{
+    uint16_t slot = *world->expected;
+    cairn_arbiter *arbiter = &world->arbiters[slot];
+    if (slot == CAIRN_NONE || arbiter->a != a || arbiter->b != b) { /* what is free again is of no body */
+        uint16_t place = place_of(world, key_of(a, b));
+        arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
+        if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
+            return NULL;
+        }
     }
-    bool found = next < world->arbiter_count && key_at(world, next) == key;
-    *place = next;
-    world->next_place = (uint16_t)(found ? next + 1 : next);
-    return found ? cairn_arbiter_at(world, next) : NULL;
+    expect_after(world, arbiter);
+    return arbiter;
 }
 
 /* Coulomb's coefficients of the pair: geometric means. */
@@ -77,8 +75,9 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
     }
 }
 
-static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uint16_t b)
+static cairn_arbiter *insert(cairn_world *world, uint16_t a, uint16_t b)
 {
+    uint16_t place = place_of(world, key_of(a, b));
     if (world->arbiter_count == world->arbiter_capacity) {
         world->stats.dropped++;
         return NULL;
@@ -93,6 +92,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t place, uint16_t a, uin
     memset(arbiter, 0, sizeof *arbiter);
     arbiter->a = a;
     arbiter->b = b;
+    arbiter->after = CAIRN_NONE;
     if ((body_a->flags | body_b->flags) & CAIRN_BODY_SENSOR) {
         arbiter->flags |= CAIRN_ARBITER_SENSOR;
     }
@@ -197,8 +197,8 @@ static void look(const cairn_world *world, const cairn_body *a, const cairn_body
     }
 }
 
-/* Look at a pair, whose arbiter has its place there, and is null if there is none yet. */
-static void meet(cairn_world *world, uint16_t place, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
+/* Look at a pair, whose arbiter is null if there is none yet. */
+static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
 {
     const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
@@ -211,10 +211,11 @@ static void meet(cairn_world *world, uint16_t place, cairn_arbiter *arbiter, uin
         return;
     }
     if (arbiter == NULL) {
-        arbiter = insert(world, place, a, b);
+        arbiter = insert(world, a, b);
         if (arbiter == NULL) {
             return;
         }
+        expect_after(world, arbiter);
     }
     cairn_arbiter_prepare(world, arbiter, &manifold);
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
@@ -232,14 +233,13 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         a = b;
         b = swap;
     }
-    uint16_t place;
-    cairn_arbiter *arbiter = find(world, a, b, &place);
+    cairn_arbiter *arbiter = find(world, a, b);
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, &world->bodies[a], &world->bodies[b])) {
         bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
         renew(world, arbiter, CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
         return;
     }
-    meet(world, place, arbiter, a, b);
+    meet(world, arbiter, a, b);
 }
 
 /* What touches and is driven together faster than this, m per sub-step, is held back: see hold_back(). */
@@ -281,7 +281,7 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
 
 void cairn_arbiters_begin(cairn_world *world)
 {
-    world->next_place = 0;
+    world->expected = &world->first_found;
     world->fresh = 0;
     if (world->continuous == NULL || (!world->driven && world->fast == 0)) {
         return; /* what the solver leaves of an approach is too slow to be looked ahead for, unless something is fast */
@@ -305,6 +305,8 @@ static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, ca
             uint16_t slot = world->order[place];
             world->order[place] = world->order[kept];
             world->order[kept++] = slot;
+        } else {
+            cairn_arbiter_at(world, place)->a = CAIRN_NONE;
         }
     }
     world->arbiter_count = kept;

@@ -64,6 +64,8 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     world->body_capacity = storage->body_capacity;
     world->body_free = CAIRN_NONE;
     world->arbiter_capacity = storage->arbiter_capacity;
+    world->first_found = CAIRN_NONE;
+    world->expected = &world->first_found;
     for (uint16_t i = 0; i < world->arbiter_capacity; i++) {
         world->order[i] = i;
     }

@@ -39,6 +39,7 @@ typedef struct cairn_arbiter {
     cairn_ratio friction_mass;
     uint16_t block_mark; /* tells whether the block is the one of the step before */
     cairn_heading heading_b;
+    uint16_t after; /* the slot of the arbiter whose pair was found next, see arbiter.c */
     cairn_factor static_friction, kinetic_friction;
 } cairn_arbiter;
 

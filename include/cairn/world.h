@@ -80,7 +80,9 @@ typedef struct cairn_world {
     uint16_t sorted_count;
     uint16_t body_capacity, body_end, body_free;
     uint16_t arbiter_capacity, arbiter_count;
-    uint16_t fresh, next_place; /* arbiters found in this step; where the next one is expected */
+    uint16_t fresh;       /* arbiters found in this step */
+    uint16_t first_found; /* the slot of the first one, CAIRN_NONE if there was none yet */
+    uint16_t *expected;   /* says which is likely to be found next: first_found, or `after` of the last one */
 
     const cairn_solver_class *solver;
     const cairn_broad_class *broad;
