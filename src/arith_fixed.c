@@ -446,7 +446,7 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
 }
 
 /* Lengths below 8 mm, which have no more than 15 bits, and from 256 m, whose products are too long, are not remembered. */
-cairn_offset cairn_bearing_take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+static cairn_offset take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
 {
     cairn_unit x_part, y_part;
     cairn_offset length = cairn_unit_along(x, y, &x_part, &y_part);
@@ -463,13 +463,35 @@ cairn_offset cairn_bearing_take_anew(cairn_bearing *bearing, cairn_offset x, cai
     return length;
 }
 
+cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+{
+    int shift = bearing->shift, inverse = bearing->inverse;
+    int32_t sx = ((x >> shift) + 1) >> 1, sy = ((y >> shift) + 1) >> 1;
+    if ((((uint32_t)sx + 32768u) | ((uint32_t)sy + 32768u)) < 65536u) {
+        uint32_t size = ((((uint32_t)(sx * sx) + (uint32_t)(sy * sy)) >> 15) * (uint32_t)inverse) >> 15;
+        int32_t error = (int32_t)((1u << 30) - size * (uint32_t)inverse) >> 13; /* 1 - (length / last length)^2, Q17 */
+        if (size < 65536 && cairn_real_is_within(error, 1 << 12)) {
+            inverse += (inverse * ((error >> 1) + (3 * error * error >> 20)) + 65536) >> 17;
+            if (inverse >> 15 == 1) {
+                int32_t dx = (sx * inverse + 32768) >> 16, dy = (sy * inverse + 32768) >> 16;
+                int32_t excess = (int32_t)size * (dx * dx + dy * dy - (1 << 28)); /* below 33300 times 1.6e-4 of 2^28 */
+                bearing->inverse = (uint16_t)inverse;
+                bearing->x = (cairn_dir)dx;
+                bearing->y = (cairn_dir)dy;
+                return cairn_dot16(x, dx, y, dy, 14) - (((excess >> (27 - shift)) + 1) >> 1);
+            }
+        }
+    }
+    return take_anew(bearing, x, y);
+}
+
 /* ---- coefficients ---- */
 
 cairn_gain cairn_gain_from_wide(cairn_wide k)
 {
     int shift = -32 - k.exponent;
     cairn_gain gain;
-    gain.mantissa = (int16_t)(shift < 0 ? INT16_MAX : shift > 30 ? 0 : k.mantissa >> 17);
+    gain.mantissa = (uint16_t)(shift < 0 ? 32767u : shift > 30 ? 0u : k.mantissa >> 17);
     gain.shift = (uint16_t)(shift < 0 || shift > 30 ? 0 : shift);
     if (k.mantissa == 0) { gain.mantissa = 0; }
     return gain;

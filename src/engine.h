@@ -30,7 +30,7 @@ enum {
     CAIRN_BODY_FIXED_POSITION = 1 << 5,
     CAIRN_BODY_ASLEEP = 1 << 6,
     CAIRN_BODY_SPRUNG = 1 << 7,   /* a spring without contact holds it */
-    CAIRN_BODY_HELD = 1 << 8,     /* a contact or spring acted on it in this step */
+    CAIRN_BODY_HELD = 1 << 8,     /* a contact acted on it in this step */
     CAIRN_BODY_SPRING = 1 << 10,  /* an end of a spring */
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
     CAIRN_BODY_RESTLESS = 1 << 12, /* is in a block of which something moves; in sleep.c, heads a group that may not fall asleep yet */

@@ -189,7 +189,7 @@ void cairn_bodies_finish(cairn_world *world)
         if (!cairn_body_is_active(body)) {
             continue;
         }
-        if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_HELD)) {
+        if (cairn_body_is_dynamic(body) && !(body->flags & (CAIRN_BODY_HELD | CAIRN_BODY_SPRING))) {
             straighten(world, body);
         } else if (cairn_body_is_dynamic(body)) {
             calm(world, body);

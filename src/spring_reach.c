@@ -24,16 +24,13 @@ static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset x, cairn_of
     return arm_of(x, y, c, s);
 }
 
-/* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
-#define FAR CAIRN_F(500)
-
 /* The way from one anchor to the other on one axis, saturating. */
 static cairn_offset way(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue, cairn_offset moved,
                         cairn_offset from_arm, cairn_offset to_arm)
 {
     cairn_real apart = cairn_real_sub(to, from);
-    cairn_offset bodies = cairn_real_is_within(apart, FAR) ? cairn_coordinate_offset(from, from_residue, to, to_residue)
-                        : apart > 0 ? cairn_offset_from_real(FAR) : -cairn_offset_from_real(FAR);
+    cairn_offset bodies = cairn_real_is_within(apart, CAIRN_SPRING_FAR) ? cairn_coordinate_offset(from, from_residue, to, to_residue)
+                        : apart > 0 ? cairn_offset_from_real(CAIRN_SPRING_FAR) : -cairn_offset_from_real(CAIRN_SPRING_FAR);
     return cairn_offset_add(cairn_offset_add(cairn_offset_add(bodies, moved), to_arm), -from_arm);
 }
 
@@ -62,13 +59,6 @@ static cairn_offset2 foresee(const cairn_spring *spring, const cairn_body *a, co
     r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, cairn_motion_add(b->dw, b->w));
     return between(a, b, cairn_offset_from_motion(cairn_motion_add(b->dx, b->vx)) - cairn_offset_from_motion(cairn_motion_add(a->dx, a->vx)),
                    cairn_offset_from_motion(cairn_motion_add(b->dy, b->vy)) - cairn_offset_from_motion(cairn_motion_add(a->dy, a->vy)), r);
-}
-
-/* As near as FAR at the end of the step too: a body moves by less than 8 m in it. */
-bool cairn_spring_is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b)
-{
-    cairn_real near = FAR - 2 * CAIRN_F(8);
-    return !((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring) && cairn_real_is_within(b->x - a->x, near) && cairn_real_is_within(b->y - a->y, near);
 }
 
 /* (r x n) / rho */

@@ -41,20 +41,15 @@ static bool is_active(const cairn_world *world, const cairn_spring *spring)
     return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
 }
 
-/* What a spring needs at the start of a step. */
-static void begin(cairn_world *world, cairn_spring *spring, bool changed)
+/*
+ * Whether a spring goes from centre to centre of bodies that may shift, or are at rest, and are not far apart, at the end of the step
+ * either: a body moves by less than 8 m in it.
+ */
+static inline bool is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b)
 {
-    cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-    bool active = cairn_body_is_active(a) || cairn_body_is_active(b);
-    if (active) {
-        bool plain = cairn_spring_is_plain(spring, a, b);
-        spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_PLAIN) | cairn_flag_if(plain, CAIRN_SPRING_PLAIN));
-        a->flags |= CAIRN_BODY_HELD;
-        b->flags |= CAIRN_BODY_HELD;
-    }
-    if (changed || (active && cairn_spring_is_off_centre(spring))) {
-        cairn_spring_map(world, spring);
-    }
+    cairn_real near = CAIRN_SPRING_FAR - 2 * CAIRN_F(8);
+    return cairn_real_is_within(b->x - a->x, near) && cairn_real_is_within(b->y - a->y, near)
+        && !((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring);
 }
 
 void cairn_springs_prepare(cairn_world *world)
@@ -69,8 +64,16 @@ void cairn_springs_prepare(cairn_world *world)
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
-        if (cairn_spring_is_used(spring)) {
-            begin(world, spring, changed);
+        if (!cairn_spring_is_used(spring)) {
+            continue;
+        }
+        if (is_plain(spring, &world->bodies[spring->a], &world->bodies[spring->b])) {
+            spring->flags |= CAIRN_SPRING_PLAIN;
+        } else {
+            spring->flags &= (uint16_t)~CAIRN_SPRING_PLAIN;
+        }
+        if (changed || (!(spring->flags & CAIRN_SPRING_PLAIN) && cairn_spring_is_off_centre(spring) && is_active(world, spring))) {
+            cairn_spring_map(world, spring);
         }
     }
     if (changed || (world->stats.steps & 7u) == 0) {

@@ -20,7 +20,7 @@ enum {
     CAIRN_SPRING_ENTANGLED = 128, /* of a network's first: its paths pull along one another */
     CAIRN_SPRING_LEVERS = 256,    /* of a path's first: some anchors are off their centres */
     CAIRN_SPRING_MESHED = 512,    /* of a network's first: solved as a whole */
-    CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre, and short of FAR: the quick path */
+    CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre, and short of CAIRN_SPRING_FAR: the quick path */
     CAIRN_SPRING_MILD = 2048      /* the factors of its path fit short products */
 };
 
@@ -33,6 +33,9 @@ static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
 {
     return cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
 }
+
+/* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
+#define CAIRN_SPRING_FAR CAIRN_F(500)
 
 /* ---- spring_reach.c ---- */
 
@@ -49,9 +52,6 @@ void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const
 cairn_lever cairn_spring_lever(const cairn_body *body, cairn_offset2 arm, cairn_unit x, cairn_unit y);
 /* Keep direction and levers for the sweeps. */
 void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_body *b, const cairn_reach *reach);
-/* Whether it goes from centre to centre of bodies that may shift, or are at rest, and are not far apart: looked at once a step. */
-bool cairn_spring_is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b);
-
 /*
  * Direction and levers for this sub-step; the length is that at the end of it. How far it turns, levers included.
  * Ahead: along the direction foreseen in any case.

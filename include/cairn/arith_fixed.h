@@ -346,35 +346,12 @@ typedef struct cairn_bearing {
     cairn_dir x, y;
     uint16_t inverse, shift;
 } cairn_bearing;
-/* cairn_bearing_take where the last length does not help. */
-cairn_offset cairn_bearing_take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y);
 /*
  * The direction of (x, y), within 2.1 units, and its length, within 1.5 units and a 2^-12th of what it has changed by. One step of third
  * order from the last length's inverse, if it has changed by less than 1.6 % since. The direction's error counts squared in the
  * length, for by how much it is too long or too short is known and taken back.
  */
-static inline cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
-{
-    int shift = bearing->shift, inverse = bearing->inverse;
-    int32_t sx = ((x >> shift) + 1) >> 1, sy = ((y >> shift) + 1) >> 1;
-    if ((((uint32_t)sx + 32768u) | ((uint32_t)sy + 32768u)) < 65536u) {
-        uint32_t size = ((((uint32_t)(sx * sx) + (uint32_t)(sy * sy)) >> 15) * (uint32_t)inverse) >> 15;
-        int32_t error = (int32_t)((1u << 30) - size * (uint32_t)inverse); /* 1 - (length / last length)^2, Q30 */
-        if (size < 65536 && cairn_real_is_within(error, 1 << 25)) {
-            error >>= 13;
-            inverse += (inverse * ((error >> 1) + (3 * error * error >> 20)) + 65536) >> 17;
-            if (inverse >> 15 == 1) {
-                int32_t dx = (sx * inverse + 32768) >> 16, dy = (sy * inverse + 32768) >> 16;
-                int32_t excess = (int32_t)size * (dx * dx + dy * dy - (1 << 28)); /* below 33300 times 1.6e-4 of 2^28 */
-                bearing->inverse = (uint16_t)inverse;
-                bearing->x = (cairn_dir)dx;
-                bearing->y = (cairn_dir)dy;
-                return cairn_dot16(x, dx, y, dy, 14) - (((excess >> (27 - shift)) + 1) >> 1);
-            }
-        }
-    }
-    return cairn_bearing_take_anew(bearing, x, y);
-}
+cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y);
 
 /* By how much a direction turns: the greater change of its components, within a unit of Q14. */
 typedef int32_t cairn_turn;
@@ -466,8 +443,7 @@ static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { re
 
 /* A coefficient in [0, 1) of which 15 bits count, however small it is. */
 typedef struct cairn_gain {
-    int16_t mantissa;
-    uint16_t shift;
+    uint16_t mantissa, shift;
 } cairn_gain;
 cairn_gain cairn_gain_from_wide(cairn_wide k);
 /* x times the gain, |x| < 4 m; within 1.1 units and 2^-14 of it. */

@@ -29,29 +29,30 @@ typedef struct cairn_spring_def {
 
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
+    /* what every sub-step uses comes first: it is cheaper to reach */
     uint16_t a, b; /* body indices, in the order of its path: see CAIRN_SPRING_TURNED */
-    uint16_t generation, flags;
+    uint16_t next, previous; /* on its path; of a path's first, previous is the first of the next path */
+    uint16_t flags, generation;
+    cairn_gain pull;                    /* position_gain, short */
+    cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
+    cairn_bearing heading;              /* in which it lies at the end of the sub-step */
+    cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
+    cairn_offset rest_length;
+    /* the map of a sub-step, see spring_map.c */
+    cairn_share velocity_gain;
+    cairn_share share_a, share_b;
+    /* the factors of its path */
+    cairn_factor before, behind, inverse_pivot;
+    cairn_turn turned; /* of a path's first: by how much its springs have turned since these were made, at most */
+    cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
+    cairn_lever lever_a, lever_b;
+    /* the network, and a spring of another of its paths at one end */
+    uint16_t network, across;
+    cairn_wide position_gain;
     struct {
         cairn_offset x, y;
     } anchor_a, anchor_b; /* from the centres of mass, body frame */
-    cairn_offset rest_length;
     cairn_wide stiffness, damping;
-    /* the map of a sub-step, see spring_map.c */
-    cairn_share share_a, share_b;
-    cairn_share velocity_gain;
-    cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
-    cairn_wide position_gain;
-    cairn_gain pull; /* the same, short */
-    /* the network, and a spring of another of its paths at one end */
-    uint16_t network, across;
-    /* the path it is solved with */
-    uint16_t next, previous; /* of a path's first, previous is the first of the next path */
-    cairn_factor before, behind, inverse_pivot;
-    cairn_turn turned; /* of a path's first: by how much its springs have turned since these were made, at most */
-    cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
-    cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
-    cairn_bearing heading;              /* in which it lies at the end of the sub-step */
-    cairn_lever lever_a, lever_b;
 } cairn_spring;
 
 struct cairn_spring_class;
