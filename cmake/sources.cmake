@@ -34,6 +34,7 @@ set(CAIRN_SOURCES
     src/spring.c
     src/spring_map.c
     src/spring_mesh.c
+    src/spring_ends.c
     src/spring_network.c
     src/spring_path.c
     src/spring_reach.c

@@ -63,17 +63,21 @@ cairn_spring_id cairn_world_next_spring(const cairn_world *world, cairn_spring_i
 
 /* ---- what the other stages ask ---- */
 
+static bool is_between(const cairn_spring *spring, uint16_t a, uint16_t b)
+{
+    return (spring->flags & (CAIRN_SPRING_USED | CAIRN_SPRING_NO_CONTACT)) == (CAIRN_SPRING_USED | CAIRN_SPRING_NO_CONTACT)
+        && ((spring->a == a && spring->b == b) || (spring->a == b && spring->b == a));
+}
+
+/* Pairs are asked for before the springs that have changed are sorted. */
 static bool joined(const cairn_world *world, uint16_t a, uint16_t b)
 {
     const cairn_spring_pool *pool = world->springs;
-    for (uint16_t i = 0; i < pool->end; i++) {
-        const cairn_spring *spring = &pool->springs[i];
-        if ((spring->flags & (CAIRN_SPRING_USED | CAIRN_SPRING_NO_CONTACT)) == (CAIRN_SPRING_USED | CAIRN_SPRING_NO_CONTACT)
-            && ((spring->a == a && spring->b == b) || (spring->a == b && spring->b == a))) {
-            return true;
-        }
+    uint16_t i = pool->changed ? 0 : cairn_spring_first_at(pool, a);
+    while (i < pool->end && !is_between(&pool->springs[i], a, b)) {
+        i = pool->changed ? (uint16_t)(i + 1) : cairn_spring_next_at(pool, a, i);
     }
-    return false;
+    return i < pool->end;
 }
 
 static void release(cairn_world *world, cairn_spring *spring)
@@ -127,6 +131,7 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     pool->capacity = storage->capacity;
     pool->end = 0;
     pool->first = CAIRN_NONE;
+    pool->mask = 0;
     pool->changed = true;
     pool->entangled = false;
     pool->mesh = NULL;

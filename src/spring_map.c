@@ -109,6 +109,33 @@ static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
     spring->flags &= (uint16_t)~CAIRN_SPRING_EXACT;
 }
 
+static bool is_alone(const cairn_body *a, const cairn_body *b)
+{
+    return !(cairn_body_is_dynamic(a) && (a->flags & CAIRN_BODY_SPRINGS)) && !(cairn_body_is_dynamic(b) && (b->flags & CAIRN_BODY_SPRINGS));
+}
+
+static bool are_equal(cairn_wide a, cairn_wide b) { return !cairn_wide_less(a, b) && !cairn_wide_less(b, a); }
+
+/* Most springs of a network are as the one before them, and making a map takes thousands of instructions. */
+bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const cairn_spring *model)
+{
+    const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    const cairn_body *model_a = &world->bodies[model->a], *model_b = &world->bodies[model->b];
+    if (!(spring->flags & model->flags & CAIRN_SPRING_PLAIN) || !are_equal(spring->stiffness, model->stiffness)
+        || !are_equal(spring->damping, model->damping) || a->model != model_a->model || b->model != model_b->model
+        || is_alone(a, b) != is_alone(model_a, model_b)) {
+        return false;
+    }
+    spring->share_a = model->share_a;
+    spring->share_b = model->share_b;
+    spring->velocity_gain = model->velocity_gain;
+    spring->yield = model->yield;
+    spring->position_gain = model->position_gain;
+    spring->pull = model->pull;
+    spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_EXACT) | (model->flags & CAIRN_SPRING_EXACT));
+    return true;
+}
+
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
@@ -124,7 +151,7 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
         stiffness = cairn_wide_mul(stiffness, over_e);
         damping = cairn_wide_mul(damping, over_e);
     }
-    bool alone = !(moves_a && (a->flags & CAIRN_BODY_SPRINGS)) && !(moves_b && (b->flags & CAIRN_BODY_SPRINGS));
+    bool alone = is_alone(a, b);
     bool soft = cairn_wide_less(stiffness, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(5)))
              && cairn_wide_less(damping, cairn_wide_from_int(16));
     if (alone && soft && !cairn_wide_is_zero(stiffness)) {

@@ -10,10 +10,13 @@
  */
 #define COUNTS CAIRN_SHARE(0.02)
 
-static uint16_t root_of(const cairn_spring_pool *pool, uint16_t i)
+/* The first spring that is known to belong to the same network. Ways there are halved, so that they stay short. */
+static uint16_t root_of(cairn_spring_pool *pool, uint16_t i)
 {
-    while (pool->springs[i].network != i) {
-        i = pool->springs[i].network; /* a smaller one each time */
+    cairn_spring *springs = pool->springs;
+    while (springs[i].network != i) {
+        springs[i].network = springs[springs[i].network].network;
+        i = springs[i].network; /* a smaller one each time */
     }
     return i;
 }
@@ -50,15 +53,11 @@ static void link(cairn_world *world, uint16_t i, uint16_t j)
     }
 }
 
-static void link_to_earlier(cairn_world *world, uint16_t i)
+static void link_to_earlier(cairn_world *world, uint16_t i, uint16_t body)
 {
     const cairn_spring_pool *pool = world->springs;
-    uint16_t a = pool->springs[i].a, b = pool->springs[i].b;
-    bool a_moves = moves(world, a), b_moves = moves(world, b);
-    for (uint16_t j = 0; j < i; j++) {
-        const cairn_spring *t = &pool->springs[j];
-        bool at_a = t->a == a || t->b == a, at_b = t->a == b || t->b == b;
-        if (((at_a && a_moves) || (at_b && b_moves)) && cairn_spring_is_used(t)) {
+    if (moves(world, body)) {
+        for (uint16_t j = cairn_spring_first_at(pool, body); j < i; j = cairn_spring_next_at(pool, body, j)) {
             link(world, i, j);
         }
     }
@@ -75,7 +74,8 @@ void cairn_spring_networks(cairn_world *world)
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         if (cairn_spring_is_used(&pool->springs[i])) {
-            link_to_earlier(world, i);
+            link_to_earlier(world, i, pool->springs[i].a);
+            link_to_earlier(world, i, pool->springs[i].b);
         }
     }
     for (uint16_t i = 0; i < pool->end; i++) {

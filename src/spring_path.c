@@ -40,6 +40,9 @@ static void turn_round(cairn_spring *spring)
     spring->lever_b = cairn_lever_negate(lever);
     spring->direction_x = cairn_dir_negate(spring->direction_x);
     spring->direction_y = cairn_dir_negate(spring->direction_y);
+    uint16_t link = spring->link_a;
+    spring->link_a = spring->link_b;
+    spring->link_b = link;
     spring->flags ^= CAIRN_SPRING_TURNED;
 }
 
@@ -52,9 +55,9 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, boo
     if (!cairn_body_is_dynamic(&world->bodies[body])) {
         return CAIRN_NONE;
     }
-    for (uint16_t i = 0; i < pool->end; i++) {
+    for (uint16_t i = cairn_spring_first_at(pool, body); i != CAIRN_NONE; i = cairn_spring_next_at(pool, body, i)) {
         const cairn_spring *other = &pool->springs[i];
-        if (!cairn_spring_is_used(other) || (other->flags & CAIRN_SPRING_IN_PATH) || (other->a != body && other->b != body)) {
+        if (other->flags & CAIRN_SPRING_IN_PATH) {
             continue;
         }
         cairn_unit c = cairn_spring_cosine(spring, other);

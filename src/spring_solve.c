@@ -56,9 +56,11 @@ void cairn_springs_prepare(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
     bool changed = pool->changed;
+    const cairn_spring *last = NULL;
     pool->changed = false;
     if (changed) {
         count_ends(world);
+        cairn_spring_find_ends(pool);
         cairn_spring_paths(world);
         cairn_spring_networks(world);
     }
@@ -72,8 +74,11 @@ void cairn_springs_prepare(cairn_world *world)
         } else {
             spring->flags &= (uint16_t)~CAIRN_SPRING_PLAIN;
         }
-        if (changed || (!(spring->flags & CAIRN_SPRING_PLAIN) && cairn_spring_is_off_centre(spring) && is_active(world, spring))) {
+        if (changed && last != NULL && cairn_spring_map_as(world, spring, last)) {
+            last = spring;
+        } else if (changed || (!(spring->flags & CAIRN_SPRING_PLAIN) && cairn_spring_is_off_centre(spring) && is_active(world, spring))) {
             cairn_spring_map(world, spring);
+            last = spring;
         }
     }
     if (changed || (world->stats.steps & 7u) == 0) {

@@ -1,6 +1,6 @@
 /*
  * What the files of springs share: spring.c (the pool and the game's calls) -> spring_solve.c (step and sub-step)
- * -> spring_map.c (one spring), spring_network.c and spring_path.c (many), spring_reach.c (where they are).
+ * -> spring_map.c (one spring), spring_ends.c, spring_network.c and spring_path.c (many), spring_reach.c (where they are).
  */
 #ifndef CAIRN_SPRING_SOLVE_H
 #define CAIRN_SPRING_SOLVE_H
@@ -36,6 +36,13 @@ static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
 
 /* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
 #define CAIRN_SPRING_FAR CAIRN_F(500)
+
+/* ---- spring_ends.c ---- */
+/* Which springs end where: after any change, before the two below. */
+void cairn_spring_find_ends(cairn_spring_pool *pool);
+/* The springs that end at a body, in the order of the pool, up to CAIRN_NONE. */
+uint16_t cairn_spring_first_at(const cairn_spring_pool *pool, uint16_t body);
+uint16_t cairn_spring_next_at(const cairn_spring_pool *pool, uint16_t body, uint16_t spring);
 
 /* ---- spring_reach.c ---- */
 
@@ -90,6 +97,8 @@ static inline cairn_offset cairn_spring_face(cairn_spring *spring, cairn_offset 
 
 /* ---- spring_map.c ---- */
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring);
+/* Take over the map of another spring, if it is the same. */
+bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const cairn_spring *model);
 /* e: the effective mass over the reduced one */
 cairn_factor cairn_spring_mass(const cairn_world *world, const cairn_spring *spring);
 

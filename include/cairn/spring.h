@@ -48,6 +48,7 @@ typedef struct cairn_spring {
     cairn_lever lever_a, lever_b;
     /* the network, and a spring of another of its paths at one end */
     uint16_t network, across;
+    uint16_t bucket, link_a, link_b; /* which springs end at which body, see spring_ends.c */
     cairn_wide position_gain;
     struct {
         cairn_offset x, y;
@@ -62,6 +63,7 @@ typedef struct cairn_spring_pool {
     cairn_spring *springs;
     uint16_t capacity, end;
     uint16_t first; /* path's first spring */
+    uint16_t mask;  /* see spring_ends.c */
     bool changed;   /* the springs' maps have to be made anew */
     bool entangled; /* a network is, see spring_network.c */
     struct cairn_mesh *mesh; /* null unless enabled, see spring_mesh.h */
