@@ -82,7 +82,7 @@ static inline bool cairn_body_is_dynamic(const cairn_body *body) { return (body-
 /* Takes part in the step: used, not static, not asleep. */
 static inline bool cairn_body_is_active(const cairn_body *body)
 {
-    return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) == CAIRN_BODY_USED && (body->flags & CAIRN_BODY_TYPE) != CAIRN_STATIC;
+    return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP | CAIRN_STATIC)) == CAIRN_BODY_USED; /* only CAIRN_STATIC has that bit */
 }
 
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */

@@ -22,6 +22,9 @@ static bool is_asleep(const cairn_body *body) { return (body->flags & (CAIRN_BOD
 static void wake_neighbour(cairn_world *world, uint16_t a, uint16_t b)
 {
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (!((body_a->flags ^ body_b->flags) & CAIRN_BODY_ASLEEP)) { /* both sleep or neither does */
+        return;
+    }
     cairn_body *sleeper = is_asleep(body_a) && is_stirring(body_b) ? body_a : is_asleep(body_b) && is_stirring(body_a) ? body_b : NULL;
     if (sleeper != NULL) {
         cairn_body_wake_up(world, sleeper);

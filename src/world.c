@@ -116,6 +116,20 @@ static void find_pairs(cairn_world *world)
     }
 }
 
+/* Nothing moved in the step before, and nothing has woken since: nothing will happen. */
+static bool is_all_asleep(const cairn_world *world)
+{
+    if (world->sleep == NULL || world->stats.awake != 0) {
+        return false;
+    }
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        if (cairn_body_is_active(&world->bodies[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 cairn_status cairn_world_step(cairn_world *world)
 {
     if (world == NULL) {
@@ -127,6 +141,9 @@ cairn_status cairn_world_step(cairn_world *world)
     world->stats.steps++;
     world->stats.pairs = 0;
     world->stats.points = 0;
+    if (is_all_asleep(world)) {
+        return CAIRN_OK;
+    }
     if (world->sleep != NULL) {
         world->sleep->wake(world);
     }
