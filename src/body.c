@@ -183,7 +183,7 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->y = position.y;
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
-    cairn_body_refresh_extents(world, body);
+    (void)cairn_body_look_ahead(world, body);
 }
 
 /* After a change of where a body is or of whom it meets. */

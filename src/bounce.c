@@ -492,7 +492,7 @@ static void hasten(cairn_world *world, cairn_body *body)
         return;
     }
     cairn_real x = body->extent_x, y = body->extent_y;
-    cairn_body_refresh_extents(world, body);
+    (void)cairn_body_look_ahead(world, body);
     body->extent_x = body->extent_x > x ? body->extent_x : x;
     body->extent_y = body->extent_y > y ? body->extent_y : y;
     body->flags |= CAIRN_BODY_FAST;

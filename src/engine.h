@@ -132,8 +132,8 @@ cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body)
 void cairn_body_wake_up(cairn_world *world, cairn_body *body);
 
 /* ---- motion.c ---- */
-/* Half sizes of the bounding box, with the margin for this step's motion. */
-void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body);
+/* Half sizes of the bounding box, with the margin for this step's motion. Returns whether it is fast, as cairn_body_is_fast() does. */
+bool cairn_body_look_ahead(const cairn_world *world, cairn_body *body);
 /* How far the body's surface can move in this step, and the reach. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
 /* So slow, and moved so little in this step, that the formats cannot tell it from rest. */

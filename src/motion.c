@@ -15,26 +15,37 @@ void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
-/* A surface lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by spin; a circle's has none. */
-cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body)
+/*
+ * How far the surface can move in this step. It lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by
+ * spin; a circle's has none.
+ */
+static cairn_offset way_of(const cairn_world *world, const cairn_body *body)
 {
-    cairn_offset spin = body->model->shape->kind->outline == NULL ? 0 : 3 * cairn_offset_from_motion(magnitude(body->w));
-    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy)) + spin;
-    return CAIRN_REACH + speed * world->substeps;
+    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy));
+    if (body->model->shape->kind->outline != NULL) {
+        speed += 3 * cairn_offset_from_motion(magnitude(body->w));
+    }
+    return speed * world->substeps;
 }
 
-bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body)
+cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) { return CAIRN_REACH + way_of(world, body); }
+
+static bool is_long(cairn_offset way, const cairn_shape *shape)
 {
-    cairn_offset way = cairn_body_reach(world, body) - CAIRN_REACH;
-    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(body->model->shape->kind->inradius(body->model->shape));
+    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(shape->kind->inradius(shape));
 }
 
-void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body)
+bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body) { return is_long(way_of(world, body), body->model->shape); }
+
+bool cairn_body_look_ahead(const cairn_world *world, cairn_body *body)
 {
-    cairn_real reach = cairn_real_above_offset(cairn_body_reach(world, body));
-    body->model->shape->kind->extents(body->model->shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
+    const cairn_shape *shape = body->model->shape;
+    cairn_offset way = way_of(world, body);
+    cairn_real reach = cairn_real_above_offset(CAIRN_REACH + way);
+    shape->kind->extents(shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
     body->extent_x += reach;
     body->extent_y += reach;
+    return is_long(way, shape);
 }
 
 /* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */

@@ -81,7 +81,8 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
 }
 
-static void refresh_extents(cairn_world *world)
+/* Bounding boxes; who is awake, who is fast. */
+static void look_ahead(cairn_world *world)
 {
     world->stats.awake = 0;
     world->fast = 0;
@@ -89,9 +90,8 @@ static void refresh_extents(cairn_world *world)
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body)) {
             world->stats.awake++;
-            cairn_body_refresh_extents(world, body);
             body->flags &= (uint16_t)~CAIRN_BODY_FAST;
-            if (world->continuous != NULL && cairn_body_is_fast(world, body)) {
+            if (cairn_body_look_ahead(world, body) && world->continuous != NULL) {
                 body->flags |= CAIRN_BODY_FAST;
                 world->fast++;
             }
@@ -147,7 +147,7 @@ cairn_status cairn_world_step(cairn_world *world)
     if (world->sleep != NULL) {
         world->sleep->wake(world);
     }
-    refresh_extents(world);
+    look_ahead(world);
     cairn_arbiters_begin(world);
     find_pairs(world);
     cairn_arbiters_sweep(world);
