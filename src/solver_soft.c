@@ -34,6 +34,9 @@ static inline bool is_met(const cairn_body *body)
     return (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) != 0 && cairn_body_is_active(body);
 }
 
+/* Only contacts ask how far it has moved: what hangs on springs alone need not lean. */
+static inline bool may_lean(const cairn_body *body) { return (body->flags & CAIRN_BODY_MET) != 0; }
+
 static inline void lean(cairn_body *body)
 {
     body->vx += cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
@@ -46,7 +49,7 @@ static void lean_all(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        if (is_met(body)) {
+        if (may_lean(body) && is_met(body)) {
             lean(body);
         }
     }
@@ -86,9 +89,11 @@ static void advance(cairn_world *world)
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (is_met(body)) {
-            body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
-            body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
-            body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+            if (may_lean(body)) {
+                body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
+                body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
+                body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+            }
             limit(world, body);
             body->dx += body->vx;
             body->dy += body->vy;

@@ -85,8 +85,9 @@ static inline cairn_offset cairn_spring_face(cairn_spring *spring, cairn_offset 
     cairn_dir from_x = spring->heading.x, from_y = spring->heading.y;
     cairn_offset length = cairn_bearing_take(&spring->heading, x, y);
     cairn_dir to_x = spring->heading.x, to_y = spring->heading.y;
-    *turned = cairn_dir_turn(from_x, from_y, to_x, to_y);
-    if (!ahead && *turned < CAIRN_SPRING_FAST && !cairn_spring_is_taut(spring, length)) {
+    cairn_turn turn = cairn_dir_turn(from_x, from_y, to_x, to_y);
+    *turned = turn;
+    if (!ahead && (to_x != from_x || to_y != from_y) && turn < CAIRN_SPRING_FAST && !cairn_spring_is_taut(spring, length)) {
         to_x = cairn_dir_towards(from_x, to_x);
         to_y = cairn_dir_towards(from_y, to_y);
     }
