@@ -54,8 +54,9 @@ static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
 /* Coulomb's coefficients of the pair: geometric means. */
 static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const cairn_material *b)
 {
-    arbiter->static_friction = a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
+    cairn_factor most = a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
     arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
+    arbiter->static_excess = cairn_excess_of(most - arbiter->kinetic_friction);
     arbiter->flags = (uint8_t)(a->bounce != NULL || b->bounce != NULL ? arbiter->flags | CAIRN_ARBITER_BOUNCY
                                                                       : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
 }
@@ -65,12 +66,10 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
 {
     if (!cairn_body_is_dynamic(a)) {
         arbiter->share_a = 0;
-        arbiter->share_b = CAIRN_SHARE(1);
         return;
     }
     arbiter->share_a = cairn_bodies_share(a, b);
-    arbiter->share_b = CAIRN_SHARE(1) - arbiter->share_a;
-    if (arbiter->share_a < CAIRN_UNEVEN_SHARE || arbiter->share_b < CAIRN_UNEVEN_SHARE) {
+    if (arbiter->share_a < CAIRN_UNEVEN_SHARE || cairn_arbiter_share_b(arbiter) < CAIRN_UNEVEN_SHARE) {
         arbiter->block = CAIRN_BLOCK_UNEVEN;
     }
 }
@@ -180,7 +179,7 @@ static void renew(cairn_world *world, cairn_arbiter *arbiter, unsigned marks)
         world->fresh++;
     }
     arbiter->flags = (uint8_t)(arbiter->flags | CAIRN_ARBITER_FRESH | marks);
-    world->uneven |= marks & CAIRN_ARBITER_SOLVED ? arbiter->block & CAIRN_BLOCK_UNEVEN : 0;
+    world->uneven |= marks & CAIRN_ARBITER_SOLVED ? arbiter->block : 0;
 }
 
 /* The contact of two bodies in this step. */
@@ -270,7 +269,7 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
         cairn_motion closing = -cairn_motion_along(x + b->dx - a->dx, y + b->dy - a->dy, arbiter->normal_x, arbiter->normal_y);
         if (closing > DRIVEN) {
             give_way(a, arbiter->share_a, -closing, arbiter);
-            give_way(b, arbiter->share_b, closing, arbiter);
+            give_way(b, cairn_arbiter_share_b(arbiter), closing, arbiter);
             if (closing > DRIVEN_HARD) {
                 cairn_arbiter_doubt(arbiter);
             }

@@ -77,7 +77,7 @@ static void load_impulses(cairn_block *block, const cairn_arbiter *arbiter, int 
     cairn_wide per_unit = cairn_wide_div(cairn_wide_from_int(1), unit_of(block, &block->rows[first]));
     for (int i = 0; i <= arbiter->count; i++) {
         cairn_motion impulse = i == arbiter->count ? arbiter->friction_impulse : arbiter->rows[i].impulse;
-        block->rows[first + i].impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(impulse), arbiter->exponent), per_unit);
+        block->rows[first + i].impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(impulse), arbiter->past.block.exponent), per_unit);
     }
 }
 
@@ -126,7 +126,7 @@ static void store_impulses(const cairn_block *block, cairn_arbiter *arbiter, int
         cairn_motion impulse = cairn_motion_from_push(cairn_push_shift(impulses[i], -exponent));
         *(i == arbiter->count ? &arbiter->friction_impulse : &arbiter->rows[i].impulse) = impulse;
     }
-    arbiter->exponent = (uint8_t)exponent;
+    arbiter->past.block.exponent = (uint8_t)exponent;
 }
 
 static void store(cairn_world *world, cairn_block *block)
@@ -228,7 +228,7 @@ static bool limit_friction(const cairn_world *world, cairn_block *block)
         cairn_block_row *row = &block->rows[next++];
         bool slides = magnitude(row->residual) > cairn_push_half(pressure);
         cairn_push old = row->limit;
-        row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : arbiter->static_friction);
+        row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : cairn_arbiter_static_friction(arbiter));
         if (row->state == CAIRN_ROW_FREE && magnitude(row->impulse) > row->limit) {
             row->state = (uint8_t)(row->impulse > row->limit ? CAIRN_ROW_HIGH : CAIRN_ROW_LOW);
             changed = true;

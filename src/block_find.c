@@ -21,7 +21,10 @@ static bool is_solved(const cairn_arbiter *arbiter) { return (arbiter->flags & C
 static void clear(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        set_number(cairn_arbiter_at(world, place), 0);
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        bool was_in_one = cairn_block_of(arbiter) != 0;
+        arbiter->path = (uint8_t)(was_in_one ? CAIRN_PATH_FORMER : CAIRN_PATH_NONE);
+        set_number(arbiter, was_in_one && !is_solved(arbiter) ? DISSOLVED : 0); /* what sleeps keeps its past */
     }
 }
 
@@ -108,32 +111,43 @@ static void dissolve(cairn_world *world, uint8_t number)
     }
 }
 
-static void forget_impulses(cairn_arbiter *arbiter, uint16_t mark)
+static void forget_impulses(cairn_arbiter *arbiter)
 {
     arbiter->rows[0].impulse = 0;
     arbiter->rows[1].impulse = 0;
     arbiter->friction_impulse = 0;
-    arbiter->exponent = 0;
-    arbiter->block_mark = mark;
 }
 
-/* What was in a block and is no longer starts from zero: its impulses may be anything. */
+/* It is none of a block's, and starts from zero if it was until now. */
+static void leave(const cairn_world *world, cairn_arbiter *arbiter)
+{
+    set_number(arbiter, 0);
+    forget_impulses(arbiter);
+    cairn_arbiter_take_hold(world, arbiter);
+    cairn_arbiter_let_go(arbiter);
+    arbiter->path = CAIRN_PATH_CAREFUL;
+}
+
+/* What was in a block and is no longer does so: its impulses may be anything. */
 static void forget_former(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (is_solved(arbiter) && cairn_block_of(arbiter) == DISSOLVED) {
             set_number(arbiter, 0);
-            arbiter->path = CAIRN_PATH_CAREFUL;
         }
-        if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && arbiter->block_mark != 0) {
-            forget_impulses(arbiter, 0);
+        if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && arbiter->path == CAIRN_PATH_FORMER) {
+            leave(world, arbiter);
         }
     }
 }
 
 void cairn_block_dissolve(cairn_world *world, uint8_t number)
 {
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        arbiter->path = cairn_block_of(arbiter) == number ? (uint8_t)CAIRN_PATH_FORMER : arbiter->path;
+    }
     dissolve(world, number);
     forget_former(world);
 }
@@ -163,9 +177,11 @@ static void compare(cairn_world *world, uint8_t number)
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
             cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
             if (cairn_block_of(arbiter) == number) {
-                same = same && (again || arbiter->block_mark == mark);
+                same = same && (again || (arbiter->path == CAIRN_PATH_FORMER && arbiter->past.block.mark == mark));
                 if (!same && again) {
-                    forget_impulses(arbiter, mark);
+                    forget_impulses(arbiter);
+                    arbiter->past.block.mark = mark;
+                    arbiter->past.block.exponent = 0;
                 }
             }
         }
@@ -217,10 +233,9 @@ void cairn_block_release(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        if (arbiter->block_mark != 0) {
-            forget_impulses(arbiter, 0);
+        if (cairn_block_of(arbiter) != 0) {
+            leave(world, arbiter);
         }
-        set_number(arbiter, 0);
     }
     world->blocks = world->uneven = 0;
 }

@@ -95,7 +95,7 @@ static void unrepeat(const impact *i, cairn_body *body, cairn_motion impulse, ca
 static void forget_impulse(const impact *i, cairn_motion *impulse, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
 {
     unrepeat(i, i->a, -cairn_motion_share(*impulse, i->arbiter->share_a), nx, ny, ja);
-    unrepeat(i, i->b, cairn_motion_share(*impulse, i->arbiter->share_b), nx, ny, jb);
+    unrepeat(i, i->b, cairn_motion_share(*impulse, cairn_arbiter_share_b(i->arbiter)), nx, ny, jb);
     *impulse = 0;
 }
 
@@ -344,13 +344,13 @@ static bool meet(cairn_world *world, impact *i)
 
 static cairn_factor coupling(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever ka, cairn_lever jb, cairn_lever kb)
 {
-    return linear + cairn_factor_spin(arbiter->share_a, ja, ka) + cairn_factor_spin(arbiter->share_b, jb, kb);
+    return linear + cairn_factor_spin(arbiter->share_a, ja, ka) + cairn_factor_spin(cairn_arbiter_share_b(arbiter), jb, kb);
 }
 
 static cairn_factor linear_part(const impact *i)
 {
     cairn_share share = (i->a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : i->arbiter->share_a)
-                      + (i->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : i->arbiter->share_b);
+                      + (i->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : cairn_arbiter_share_b(i->arbiter));
     return cairn_factor_mul(cairn_factor_from_share(share), i->norm);
 }
 
@@ -397,7 +397,7 @@ static void apply(cairn_body *body, cairn_motion px, cairn_motion py, cairn_moti
 /* An impulse along (nx, ny) with these levers on both bodies. */
 static void strike(impact *i, cairn_motion impulse, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
 {
-    cairn_motion a = -cairn_motion_share(impulse, i->arbiter->share_a), b = cairn_motion_share(impulse, i->arbiter->share_b);
+    cairn_motion a = -cairn_motion_share(impulse, i->arbiter->share_a), b = cairn_motion_share(impulse, cairn_arbiter_share_b(i->arbiter));
     if (i->arbiter->share_a != 0) {
         apply(i->a, cairn_motion_dir(a, nx), cairn_motion_dir(a, ny), cairn_twist(a, ja));
     }
@@ -413,7 +413,7 @@ static void rub(impact *i, cairn_motion pressure)
     cairn_dir tx = cairn_dir_negate(arbiter->normal_y), ty = arbiter->normal_x;
     cairn_lever ja = arbiter->friction_lever_a, jb = arbiter->friction_lever_b;
     cairn_motion impulse = -cairn_motion_ratio(velocity_along(i, tx, ty, ja, jb), arbiter->friction_mass);
-    cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
+    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(arbiter));
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
     }
@@ -482,7 +482,7 @@ static void part(const cairn_world *world, impact *i)
     if (arbiter->share_a != 0) {
         shove(i->a, -cairn_motion_share(depth, arbiter->share_a), arbiter->normal_x, arbiter->normal_y);
     }
-    shove(i->b, cairn_motion_share(depth, arbiter->share_b), arbiter->normal_x, arbiter->normal_y);
+    shove(i->b, cairn_motion_share(depth, cairn_arbiter_share_b(arbiter)), arbiter->normal_x, arbiter->normal_y);
 }
 
 /* What an impact has made faster may need the watch over fast bodies, which was set at the step's start. */
@@ -580,7 +580,7 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, boo
     i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
     exchange(&i);
     sum_up(i.a, a, -i.px, -i.py, arbiter->share_a);
-    sum_up(i.b, b, i.px, i.py, arbiter->share_b);
+    sum_up(i.b, b, i.px, i.py, cairn_arbiter_share_b(arbiter));
     settle(world, i.a, a, i.time, substep);
     settle(world, i.b, b, i.time, substep);
     part(world, &i);

@@ -36,7 +36,7 @@ static void describe(const cairn_world *world, const cairn_arbiter *arbiter, cai
         const cairn_manifold_point *from = &manifold.points[i];
         contact->points[i].position = cairn_vec2_of(a->x + cairn_real_from_offset(from->x), a->y + cairn_real_from_offset(from->y));
         contact->points[i].separation = cairn_real_from_offset(from->separation);
-        contact->points[i].impulse = newton_seconds(world, a, b, impulse_of(arbiter, from->feature), arbiter->exponent);
+        contact->points[i].impulse = newton_seconds(world, a, b, impulse_of(arbiter, from->feature), cairn_arbiter_exponent(arbiter));
     }
 }
 

@@ -71,7 +71,8 @@ enum {
     CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
     CAIRN_PATH_EVEN,      /* bodies of one mass, each takes half, and no point is apart */
     CAIRN_PATH_SHARED,    /* any bodies, points may be apart */
-    CAIRN_PATH_APART = 8  /* and: no point touched when the step began */
+    CAIRN_PATH_APART = 8, /* and: no point touched when the step began */
+    CAIRN_PATH_FORMER = 16 /* while blocks are looked for: it was in one */
 };
 
 /* The flag if it is to be set. */
@@ -229,6 +230,17 @@ void cairn_arbiters_refresh_materials(cairn_world *world, uint16_t body);
 /* After a change of the sub-step. */
 void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor);
 
+/* What b takes of a change. */
+static inline cairn_share cairn_arbiter_share_b(const cairn_arbiter *arbiter) { return CAIRN_SHARE(1) - arbiter->share_a; }
+static inline cairn_factor cairn_arbiter_static_friction(const cairn_arbiter *arbiter)
+{
+    return arbiter->kinetic_friction + cairn_factor_from_excess(arbiter->static_excess);
+}
+/* Of its impulses: outside of blocks they are what they are. */
+static inline int cairn_arbiter_exponent(const cairn_arbiter *arbiter)
+{
+    return arbiter->block & CAIRN_BLOCK_NUMBER ? arbiter->past.block.exponent : 0;
+}
 static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
 
 /* ---- fast bodies ---- */
@@ -246,6 +258,13 @@ static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn
     bool serves = arbiter->count > 1 ? arbiter->rows[0].gap <= CAIRN_HOLD_GAP : arbiter->slip < 0;
     return serves && !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
         && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
+}
+/* Not a slip that a contact may have: all of its past is forgotten. */
+#define CAIRN_LET_GO CAIRN_MOTION(1)
+/* How fast what has slipped is taken back, a sub-step. */
+static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const cairn_arbiter *arbiter)
+{
+    return arbiter->count < 2 || arbiter->slip == CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
 }
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);

@@ -35,7 +35,7 @@ static uint32_t mix_arbiter(uint32_t hash, const cairn_arbiter *arbiter)
         hash = mix(hash, (uint32_t)arbiter->rows[i].impulse);
         hash = mix(hash, (uint32_t)arbiter->rows[i].load);
         hash = mix(hash, (uint32_t)arbiter->rows[i].gap);
-        hash = mix(hash, (uint32_t)arbiter->exponent << 16 | arbiter->rows[i].feature);
+        hash = mix(hash, (uint32_t)cairn_arbiter_exponent(arbiter) << 16 | arbiter->rows[i].feature);
     }
     return hash;
 }

@@ -21,8 +21,6 @@
 #define HOLD_SHARE CAIRN_RATIO(1.0 / 256)
 /* A longer way in a step is no rest; and below it no sum of this file wraps. */
 #define HOLD_WAY CAIRN_MOTION(1.0 / 16)
-/* Not a slip that a contact may have: all of its past is forgotten. */
-#define LET_GO CAIRN_MOTION(1)
 /* Share of the resting load that is carried without sinking in. The rest keeps the points pressed together. */
 #define CARRIED CAIRN_RATIO(0.875)
 /* 1 / beta: from a push-out to a depth. */
@@ -30,11 +28,7 @@
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
-void cairn_arbiter_let_go(cairn_arbiter *arbiter)
-{
-    arbiter->slip = LET_GO;
-    arbiter->pull = 0;
-}
+void cairn_arbiter_let_go(cairn_arbiter *arbiter) { arbiter->slip = CAIRN_LET_GO; }
 
 void cairn_arbiter_doubt(cairn_arbiter *arbiter)
 {
@@ -64,8 +58,10 @@ void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
         arbiter->slip = -way_of_hold(a, b);
         return;
     }
-    arbiter->heading_a = cairn_heading_of(a->angle);
-    arbiter->heading_b = cairn_heading_of(b->angle);
+    if (!(arbiter->block & CAIRN_BLOCK_NUMBER)) {
+        arbiter->past.heading.a = cairn_heading_of(a->angle);
+        arbiter->past.heading.b = cairn_heading_of(b->angle);
+    }
 }
 
 /* Whether all of the motion of two bodies is below a limit; near it, by less than half, it may say no. */
@@ -119,15 +115,14 @@ static bool slips(const cairn_arbiter *arbiter)
  * What slides at a speed beyond rest forgets where it stuck, until it sticks again: it stays where it comes to a stop. What sticks
  * and gives way slowly, as contacts do while a pile settles, remembers up to HOLD_SLIP and is pulled back.
  */
-static void slip_by(const cairn_world *world, cairn_arbiter *arbiter, cairn_motion way, bool fast)
+static void slip_by(cairn_arbiter *arbiter, cairn_motion way, bool fast)
 {
-    if ((fast || arbiter->slip == LET_GO) && slips(arbiter)) {
+    if ((fast || arbiter->slip == CAIRN_LET_GO) && slips(arbiter)) {
         cairn_arbiter_let_go(arbiter);
         return;
     }
-    cairn_motion before = arbiter->slip == LET_GO ? 0 : arbiter->slip;
+    cairn_motion before = arbiter->slip == CAIRN_LET_GO ? 0 : arbiter->slip;
     arbiter->slip = cairn_motion_clamp(before + way, HOLD_SLIP);
-    arbiter->pull = cairn_motion_ratio(arbiter->slip, world->stick);
 }
 
 /* The load follows the impulse with a time constant of four seconds up to CARRIED of it, and never exceeds it. */
@@ -157,7 +152,6 @@ static cairn_motion swept(const cairn_body *body)
 static void follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     cairn_row *row = &arbiter->rows[0];
-    arbiter->pull = 0;
     row->load = 0;
     if (arbiter->slip < 0) {
         arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + swept(a) + swept(b);
@@ -183,9 +177,9 @@ static void follow_two(const cairn_world *world, cairn_arbiter *arbiter, const c
         doubtful = doubtful || magnitude(eightfold) > fast || row->gap > CAIRN_HOLD_GAP; /* a blow, or open */
         row->load = row->load < row->impulse ? row->load : row->impulse;
     }
-    slip_by(world, arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
-    if (doubtful || magnitude(arbiter->slip) >= HOLD_SLIP || !cairn_heading_is_near(arbiter->heading_a, a->angle, HOLD_TURN)
-        || !cairn_heading_is_near(arbiter->heading_b, b->angle, HOLD_TURN)) {
+    slip_by(arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
+    if (doubtful || magnitude(arbiter->slip) >= HOLD_SLIP || !cairn_heading_is_near(arbiter->past.heading.a, a->angle, HOLD_TURN)
+        || !cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN)) {
         cairn_arbiter_doubt(arbiter);
     }
     settle_in_turn(world, arbiter, a, b);

@@ -16,7 +16,7 @@ static bool has_room(cairn_ratio mass, cairn_lever ja, cairn_lever jb)
 /* 1 / (J M^-1 J^T) of a row, times (1/mA + 1/mB). Where there is no room for all of it, it takes more passes. */
 static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever jb)
 {
-    cairn_ratio mass = cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(arbiter->share_b, jb, jb));
+    cairn_ratio mass = cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(cairn_arbiter_share_b(arbiter), jb, jb));
     return mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
 }
 
@@ -61,7 +61,9 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     }
     if (!kept) {
         arbiter->friction_impulse = 0;
-        arbiter->slip = arbiter->pull = 0;
+    }
+    if (!kept || old_count < 2) {
+        arbiter->slip = 0; /* of one point it means something else */
     } else if (old_count < 2) {
         cairn_arbiter_let_go(arbiter); /* where it stuck is not known */
     }
@@ -98,7 +100,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     cairn_offset b_height = cairn_offset_dot(manifold->x, manifold->y, nx, ny);
     cairn_offset b_arm = cairn_offset_dot(manifold->x, manifold->y, -ny, nx);
     cairn_factor linear = cairn_factor_from_share((a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_a)
-                                                  + (b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_b));
+                                                  + (b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : cairn_arbiter_share_b(arbiter)));
 
     keep_impulses(arbiter, manifold);
     arbiter->normal_x = cairn_dir_from_unit(nx);

@@ -20,10 +20,10 @@ static void apply(cairn_world *world, const cairn_arbiter *arbiter, cairn_motion
             a->vy = cairn_motion_clamp(a->vy - cairn_motion_share(py, arbiter->share_a), CAIRN_SWEEP_SPEED);
         }
     }
-    b->w = cairn_motion_clamp(b->w + cairn_motion_lever(cairn_motion_share(impulse, arbiter->share_b), jb), CAIRN_SWEEP_SPIN);
+    b->w = cairn_motion_clamp(b->w + cairn_motion_lever(cairn_motion_share(impulse, cairn_arbiter_share_b(arbiter)), jb), CAIRN_SWEEP_SPIN);
     if (!(b->flags & CAIRN_BODY_FIXED_POSITION)) {
-        b->vx = cairn_motion_clamp(b->vx + cairn_motion_share(px, arbiter->share_b), CAIRN_SWEEP_SPEED);
-        b->vy = cairn_motion_clamp(b->vy + cairn_motion_share(py, arbiter->share_b), CAIRN_SWEEP_SPEED);
+        b->vx = cairn_motion_clamp(b->vx + cairn_motion_share(px, cairn_arbiter_share_b(arbiter)), CAIRN_SWEEP_SPEED);
+        b->vy = cairn_motion_clamp(b->vy + cairn_motion_share(py, cairn_arbiter_share_b(arbiter)), CAIRN_SWEEP_SPEED);
     }
 }
 
@@ -53,7 +53,7 @@ static void rub(cairn_world *world, cairn_arbiter *arbiter)
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
     cairn_motion u = velocity(world, arbiter, tx, ty, arbiter->friction_lever_a, arbiter->friction_lever_b);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
-    cairn_motion limit = cairn_motion_factor(pressure, arbiter->static_friction);
+    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(arbiter));
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
     }

@@ -200,7 +200,7 @@ static void land(const cairn_world *world, cairn_arbiter *arbiter)
     if (flew && presses && (repeats_too_fast(world, &world->bodies[arbiter->a]) || repeats_too_fast(world, &world->bodies[arbiter->b]))) {
         cairn_lever lever_a[2] = { rows[0].lever_a, rows[1].lever_a }, lever_b[2] = { rows[0].lever_b, rows[1].lever_b };
         forget(&world->bodies[arbiter->a], arbiter, -arbiter->share_a, lever_a, arbiter->friction_lever_a);
-        forget(&world->bodies[arbiter->b], arbiter, CAIRN_SHARE(1) - arbiter->share_a, lever_b, arbiter->friction_lever_b);
+        forget(&world->bodies[arbiter->b], arbiter, cairn_arbiter_share_b(arbiter), lever_b, arbiter->friction_lever_b);
         rows[0].impulse = rows[1].impulse = arbiter->friction_impulse = 0;
         arbiter->flags |= CAIRN_ARBITER_TOUCHING;
     }

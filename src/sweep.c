@@ -132,8 +132,9 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
 
 /* ---- the passes by path; false if the pair is not calm ---- */
 
-CAIRN_INLINE bool warm_start(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
 {
+    (void)world;
     cairn_size size = cairn_size_of(arbiter->friction_impulse);
     for (int i = 0; i < arbiter->count; i++) {
         size = cairn_size_with(size, arbiter->rows[i].impulse);
@@ -152,8 +153,9 @@ CAIRN_INLINE bool warm_start(cairn_body *a, cairn_body *b, cairn_arbiter *arbite
     return true;
 }
 
-CAIRN_INLINE bool biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
 {
+    (void)world;
     if (!is_calm(a, b, path)) {
         return false;
     }
@@ -176,18 +178,18 @@ CAIRN_INLINE bool biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, i
     return true;
 }
 
-/* Friction's impulse: within a cone that is a little narrower than the static one it sticks. */
-CAIRN_INLINE cairn_motion rubbed(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion pressure)
+/* Friction's impulse: within a cone that is a little narrower than the kinetic one it sticks for sure. */
+CAIRN_INLINE cairn_motion rubbed(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion u, cairn_motion pressure)
 {
-    cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + arbiter->pull, arbiter->friction_mass);
-    cairn_motion within = cairn_motion_factor_below(pressure, arbiter->static_friction);
+    cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass);
+    cairn_motion within = cairn_motion_factor_below(pressure, arbiter->kinetic_friction);
     if (impulse > within || -impulse > within) {
         impulse = old + cairn_motion_clamp(cairn_arbiter_rub(arbiter, u, impulse) - old, GIVEN);
     }
     return impulse;
 }
 
-CAIRN_INLINE bool relax(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
 {
     if (!is_calm(a, b, path)) {
         return false;
@@ -209,7 +211,7 @@ CAIRN_INLINE bool relax(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, in
         pressure += impulse;
         press(&pair, arbiter, row, impulse - old, path);
     }
-    cairn_motion impulse = rubbed(arbiter, velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path), pressure);
+    cairn_motion impulse = rubbed(world, arbiter, velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path), pressure);
     cairn_motion rub = impulse - arbiter->friction_impulse;
     arbiter->friction_impulse = impulse;
     finish(&pair, a, b, arbiter, rub, path);
@@ -225,7 +227,7 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
     int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
-    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->static_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || cairn_arbiter_static_friction(arbiter) > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
     if (first || second) {
@@ -285,9 +287,9 @@ void cairn_sweep_choose(cairn_world *world)
                 continue; \
             } \
         } \
-        bool done = path == CAIRN_PATH_EVEN ? pass(a, b, arbiter, CAIRN_PATH_EVEN) \
-                  : path == CAIRN_PATH_ON_STATIC ? pass(a, b, arbiter, CAIRN_PATH_ON_STATIC) \
-                  : path == CAIRN_PATH_SHARED && pass(a, b, arbiter, CAIRN_PATH_SHARED); \
+        bool done = path == CAIRN_PATH_EVEN ? pass(world, a, b, arbiter, CAIRN_PATH_EVEN) \
+                  : path == CAIRN_PATH_ON_STATIC ? pass(world, a, b, arbiter, CAIRN_PATH_ON_STATIC) \
+                  : path == CAIRN_PATH_SHARED && pass(world, a, b, arbiter, CAIRN_PATH_SHARED); \
         if (!done) { \
             careful(world, arbiter); \
         } \

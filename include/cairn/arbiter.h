@@ -21,26 +21,31 @@ typedef struct cairn_row {
     uint16_t feature;      /* which corner meets which edge: matches points from step to step */
 } cairn_row;
 
+/* In 80 bytes, what the sweeps read within reach of short load instructions. */
 typedef struct cairn_arbiter {
     uint16_t a, b; /* indices of the bodies; the normal points from a to b */
     uint8_t count; /* contact points: 0 to 2 */
     uint8_t flags;
+    uint8_t block; /* see block.c: the number of its block, and whether the masses differ much */
+    uint8_t path;  /* which way the sweeps take in this step, see sweep.c */
     cairn_dir normal_x, normal_y;
-    uint8_t block;    /* see block.c: the number of its block, and whether the masses differ much */
-    uint8_t path;     /* which way the sweeps take in this step, see sweep.c */
-    uint8_t exponent; /* of all its impulses: times 2^exponent; 0 outside of blocks */
-    cairn_heading heading_a; /* of the bodies when the rows were made */
-    cairn_share share_a, share_b; /* (1/m) / (1/mA + 1/mB): what each takes of a relative velocity change */
     cairn_row rows[2];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
-    cairn_motion slip; /* how far the surfaces have slipped since they stuck, */
-    cairn_motion pull; /* and how fast they are pulled back, a sub-step */
     cairn_lever friction_lever_a, friction_lever_b;
     cairn_ratio friction_mass;
-    uint16_t block_mark; /* tells whether the block is the one of the step before */
-    cairn_heading heading_b;
     uint16_t after; /* the slot of the arbiter whose pair was found next, see arbiter.c */
-    cairn_factor static_friction, kinetic_friction;
+    cairn_factor kinetic_friction;
+    cairn_share share_a; /* (1/m) / (1/mA + 1/mB): what a takes of a relative velocity change; b takes the rest */
+    cairn_motion slip;   /* of two points, how far the surfaces have slipped since they stuck; see hold.c */
+    union {
+        struct {
+            cairn_heading a, b; /* of the bodies when the rows were made */
+        } heading;
+        struct {
+            uint16_t mark;    /* tells whether the block is the one of the step before */
+            uint8_t exponent; /* of all its impulses: times 2^exponent */
+        } block;              /* in a block, where rows do not hold */
+    } past;
 } cairn_arbiter;
 
 typedef struct cairn_contact_point {

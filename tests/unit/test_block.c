@@ -39,7 +39,8 @@ static int arbiters_with_exponents(void)
 {
     int count = 0;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        count += world->arbiters[world->order[place]].exponent != 0;
+        const cairn_arbiter *arbiter = &world->arbiters[world->order[place]];
+        count += (arbiter->block & 127) != 0 && arbiter->past.block.exponent != 0;
     }
     return count;
 }
