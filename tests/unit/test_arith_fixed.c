@@ -119,6 +119,51 @@ void test_products_are_the_nearest(void)
     }
 }
 
+void test_halves_of_products_are_rounded_once(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any() / 2, c = any() / 2;
+        int16_t j = (int16_t)(any() % 16385), k = (int16_t)(any() % 16385);
+        expect(nearest_up((int64_t)a * j, 32768), cairn_motion_half_dir(a, j), a, j);
+        expect(nearest_up((int64_t)a * j, 16384), cairn_motion_half_lever(a, j), a, j);
+        expect(nearest_up((int64_t)a * j + (int64_t)c * k, 32768), cairn_motion_half_along(a, c, j, k), a, c);
+        expect(nearest_up((int64_t)(a / 2) * j + (int64_t)(c / 2) * k, 8192), cairn_motion_levers(a / 2, j, c / 2, k), a, c);
+        expect(nearest_up((int64_t)(a % (1 << 20)) * (k / 8), 16384), cairn_motion_ratio_short(a % (1 << 20), (int16_t)(k / 8)), a, k);
+    }
+    TEST_ASSERT_TRUE(cairn_lever_is_short(16384) && cairn_lever_is_short(-16384));
+    TEST_ASSERT_FALSE(cairn_lever_is_short(16385) || cairn_lever_is_short(-16385));
+}
+
+void test_sizes_of_several_motions(void)
+{
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(-9), 5), 0);
+    TEST_ASSERT_TRUE(cairn_size_is_below(size, 18));
+    TEST_ASSERT_FALSE(cairn_size_is_below(size, 8));
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any(), limit = any() & INT32_MAX;
+        uint32_t greatest = (uint32_t)(size64(a) > size64(b) ? size64(a) : size64(b));
+        bool below = cairn_size_is_below(cairn_size_with(cairn_size_of(a), b), limit);
+        TEST_ASSERT_TRUE(!below || greatest <= (uint32_t)limit);
+        TEST_ASSERT_TRUE(below || 2 * (uint64_t)greatest >= (uint32_t)limit);
+    }
+    TEST_ASSERT_TRUE(cairn_size_is_far_below(cairn_size_of(1), 64));
+    TEST_ASSERT_FALSE(cairn_size_is_far_below(cairn_size_of(1), 63));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_above_zero(-1, 7));
+    TEST_ASSERT_EQUAL_INT32(7, cairn_motion_above_zero(8, 7));
+    TEST_ASSERT_EQUAL_INT32(7, cairn_motion_above_zero(7, 7));
+}
+
+void test_an_excess_is_the_factor_within_2_to_the_minus_12(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t f = (any() & INT32_MAX) % CAIRN_FACTOR(127) >> (i % 27);
+        int32_t back = cairn_factor_from_excess(cairn_excess_of(f));
+        expect_within(f >> 12, f, back, f, 0);
+        if (f <= 4095) { expect(f, back, f, 0); }
+    }
+    TEST_ASSERT_EQUAL_INT32(8192, cairn_factor_from_excess(cairn_excess_of(8191)));
+}
+
 void test_leading_zeros_of_every_length(void)
 {
     TEST_ASSERT_EQUAL_INT(32, cairn_clz(0));

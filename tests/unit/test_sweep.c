@@ -1,0 +1,117 @@
+/* The ways that contacts take through the sweeps, and that they agree with one another. */
+#include "engine.h"
+
+# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+
+static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
+static const cairn_shape sliver = CAIRN_BOX(CAIRN_F(4), CAIRN_F(0.1));
+static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
+static const cairn_shape ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1));
+/* Friction above 1 is not for the quick ways. */
+static const cairn_material firm = CAIRN_MATERIAL(1, 0.9), rough = CAIRN_MATERIAL(1.01, 0.9), very_rough = CAIRN_MATERIAL(4, 4);
+
+void setUp(void) { open_yard(CAIRN_F(-10)); }
+void tearDown(void) {}
+
+static void put_floor(void) { put_static(&ground, 0, CAIRN_F(-0.5)); }
+
+static int path_at(uint16_t place) { return world->arbiters[world->order[place]].path; }
+
+static cairn_body_id put_of(const cairn_shape *shape, cairn_real x, cairn_real y, int density)
+{
+    yard_def def = def_at(shape, x, y);
+    def.density = cairn_wide_from_int(density);
+    return make(&def);
+}
+
+void test_an_arbiter_takes_80_bytes(void)
+{
+#ifndef CAIRN_DOUBLE
+    TEST_ASSERT_EQUAL_UINT32(80, sizeof(cairn_arbiter));
+#endif
+}
+
+void test_what_is_static_what_is_even_and_what_is_not_have_ways_of_their_own(void)
+{
+    put_floor();
+    put(&box, 0, CAIRN_F(0.5));
+    put(&box, 0, CAIRN_F(1.5));
+    put_of(&box, 0, CAIRN_F(2.5), 2);
+    run(60);
+    TEST_ASSERT_EQUAL_UINT16(3, world->arbiter_count);
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_ON_STATIC, path_at(0));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN, path_at(1));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SHARED, path_at(2));
+}
+
+void test_long_levers_fixed_bodies_uneven_masses_and_rough_surfaces_are_taken_with_care(void)
+{
+    yard_def pin = def_at(&box, CAIRN_F(8), CAIRN_F(0.499));
+    pin.fixed_position = true;
+    put_floor();
+    cairn_body_id id = put(&box, CAIRN_F(-8), CAIRN_F(0.5));
+    ASSERT_OK(set_material(id, &very_rough));
+    make(&pin);
+    put_of(&box, 0, CAIRN_F(0.5), 1);
+    put_of(&box, 0, CAIRN_F(1.5), 40);
+    run(30);
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = &world->arbiters[world->order[place]];
+        bool plain = arbiter->b == 3; /* the light box on the floor */
+        TEST_ASSERT_EQUAL_INT(plain && !(arbiter->block & CAIRN_BLOCK_NUMBER) ? CAIRN_PATH_ON_STATIC
+                              : arbiter->block & CAIRN_BLOCK_NUMBER ? CAIRN_PATH_NONE : CAIRN_PATH_CAREFUL, path_at(place));
+    }
+}
+
+void test_points_that_are_apart_are_known(void)
+{
+    open_yard(0);
+    put(&ball, 0, 0);
+    put(&ball, CAIRN_F(1.003), 0);
+    cairn_body_id far = put(&ball, CAIRN_F(-1.003), 0);
+    run(2);
+    TEST_ASSERT_EQUAL_UINT16(2, world->arbiter_count);
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SHARED + CAIRN_PATH_APART, path_at(0));
+    ASSERT_NEAR(0, -1.003, x_of(far));
+    ASSERT_SAME(0, world->arbiters[world->order[0]].rows[0].impulse);
+}
+
+/* Boxes of friction 1 and of little more go different ways through the sweeps, and the same one in the world. */
+static cairn_vec2 thrown_onto_the_floor(const cairn_material *material)
+{
+    open_yard(CAIRN_F(-10));
+    put_floor();
+    cairn_body_id id = put_moving(&box, 0, CAIRN_F(0.5), CAIRN_F(4), 0), top = put(&box, CAIRN_F(0.1), CAIRN_F(1.5));
+    ASSERT_OK(set_material(id, material));
+    ASSERT_OK(set_material(top, material));
+    run(120);
+    return cairn_body_position(world, top);
+}
+
+void test_the_careful_way_leads_where_the_quick_one_does(void)
+{
+    cairn_vec2 quick = thrown_onto_the_floor(&firm), careful = thrown_onto_the_floor(&rough);
+    ASSERT_NEAR(0.01, 0, quick.x - careful.x);
+    ASSERT_NEAR(0.001, 0, quick.y - careful.y);
+}
+
+void test_what_is_too_fast_for_the_quick_way_stops_all_the_same(void)
+{
+    open_yard(0);
+    cairn_body_id fast = put_moving(&box, CAIRN_F(-3), 0, CAIRN_F(40), 0), slow = put(&box, CAIRN_F(3), 0);
+    run(60);
+    ASSERT_NEAR(0.01, 40, vx_of(fast) + vx_of(slow));
+    TEST_ASSERT_TRUE(vx_of(slow) >= vx_of(fast));
+    ASSERT_NEAR(0.5, 20, vx_of(slow));
+}
+
+void test_a_sliver_on_its_end_falls_by_the_careful_way(void)
+{
+    put_floor();
+    yard_def def = def_at(&sliver, 0, CAIRN_F(0.8));
+    def.angle = CAIRN_RADIANS(0.2);
+    cairn_body_id id = make(&def);
+    run(240);
+    ASSERT_NEAR(0.001, 0.05, y_of(id));
+    ASSERT_NEAR(0.001, 0, cairn_angle_radians(cairn_body_angle(world, id)));
+}
