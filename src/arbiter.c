@@ -54,11 +54,15 @@ static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
 /* Coulomb's coefficients of the pair: geometric means. */
 static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const cairn_material *b)
 {
-    cairn_factor most = a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
     arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
-    arbiter->static_excess = cairn_excess_of(most - arbiter->kinetic_friction);
     arbiter->flags = (uint8_t)(a->bounce != NULL || b->bounce != NULL ? arbiter->flags | CAIRN_ARBITER_BOUNCY
                                                                       : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
+}
+
+cairn_factor cairn_arbiter_static_friction(const cairn_world *world, const cairn_arbiter *arbiter)
+{
+    const cairn_material *a = world->bodies[arbiter->a].model->material, *b = world->bodies[arbiter->b].model->material;
+    return a == b ? a->static_friction : cairn_factor_geometric_mean(a->static_friction, b->static_friction);
 }
 
 /* What each body takes of a change of the relative velocity. */

@@ -228,7 +228,7 @@ static bool limit_friction(const cairn_world *world, cairn_block *block)
         cairn_block_row *row = &block->rows[next++];
         bool slides = magnitude(row->residual) > cairn_push_half(pressure);
         cairn_push old = row->limit;
-        row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : cairn_arbiter_static_friction(arbiter));
+        row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : cairn_arbiter_static_friction(world, arbiter));
         if (row->state == CAIRN_ROW_FREE && magnitude(row->impulse) > row->limit) {
             row->state = (uint8_t)(row->impulse > row->limit ? CAIRN_ROW_HIGH : CAIRN_ROW_LOW);
             changed = true;

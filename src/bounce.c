@@ -407,13 +407,13 @@ static void strike(impact *i, cairn_motion impulse, cairn_dir nx, cairn_dir ny, 
 }
 
 /* Coulomb friction of the impact, from the velocity after the normal impulse. */
-static void rub(impact *i, cairn_motion pressure)
+static void rub(const cairn_world *world, impact *i, cairn_motion pressure)
 {
     cairn_arbiter *arbiter = i->arbiter;
     cairn_dir tx = cairn_dir_negate(arbiter->normal_y), ty = arbiter->normal_x;
     cairn_lever ja = arbiter->friction_lever_a, jb = arbiter->friction_lever_b;
     cairn_motion impulse = -cairn_motion_ratio(velocity_along(i, tx, ty, ja, jb), arbiter->friction_mass);
-    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(arbiter));
+    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
     }
@@ -549,7 +549,7 @@ static bool still_closes(impact *i)
 }
 
 /* All impulses of the impact, at one moment and one place. */
-static void exchange(impact *i)
+static void exchange(const cairn_world *world, impact *i)
 {
     const cairn_arbiter *arbiter = i->arbiter;
     bool closes = true;
@@ -558,7 +558,7 @@ static void exchange(impact *i)
         resolve(i, &first, &second);
         strike(i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
         strike(i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
-        rub(i, cairn_motion_add(first, second));
+        rub(world, i, cairn_motion_add(first, second));
         closes = still_closes(i);
     }
 }
@@ -578,7 +578,7 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, boo
     }
     velocity a = velocity_of(i.a), b = velocity_of(i.b);
     i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
-    exchange(&i);
+    exchange(world, &i);
     sum_up(i.a, a, -i.px, -i.py, arbiter->share_a);
     sum_up(i.b, b, i.px, i.py, cairn_arbiter_share_b(arbiter));
     settle(world, i.a, a, i.time, substep);

@@ -232,10 +232,8 @@ void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor);
 
 /* What b takes of a change. */
 static inline cairn_share cairn_arbiter_share_b(const cairn_arbiter *arbiter) { return CAIRN_SHARE(1) - arbiter->share_a; }
-static inline cairn_factor cairn_arbiter_static_friction(const cairn_arbiter *arbiter)
-{
-    return arbiter->kinetic_friction + cairn_factor_from_excess(arbiter->static_excess);
-}
+/* Mixed when it is asked for, which is where a contact is beyond its kinetic cone. */
+cairn_factor cairn_arbiter_static_friction(const cairn_world *world, const cairn_arbiter *arbiter);
 /* Of its impulses: outside of blocks they are what they are. */
 static inline int cairn_arbiter_exponent(const cairn_arbiter *arbiter)
 {

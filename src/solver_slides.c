@@ -53,7 +53,7 @@ static void rub(cairn_world *world, cairn_arbiter *arbiter)
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
     cairn_motion u = velocity(world, arbiter, tx, ty, arbiter->friction_lever_a, arbiter->friction_lever_b);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
-    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(arbiter));
+    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));
     if (impulse > limit || -impulse > limit) {
         impulse = cairn_motion_clamp(impulse, cairn_motion_factor(pressure, arbiter->kinetic_friction));
     }

@@ -184,7 +184,7 @@ CAIRN_INLINE cairn_motion rubbed(const cairn_world *world, const cairn_arbiter *
     cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass);
     cairn_motion within = cairn_motion_factor_below(pressure, arbiter->kinetic_friction);
     if (impulse > within || -impulse > within) {
-        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(arbiter, u, impulse) - old, GIVEN);
+        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, impulse) - old, GIVEN);
     }
     return impulse;
 }
@@ -227,7 +227,7 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
     int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
-    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || cairn_arbiter_static_friction(arbiter) > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
     if (first || second) {

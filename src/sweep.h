@@ -22,7 +22,7 @@ void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter);
 cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
 cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
 /* Friction's impulse within its cone, where it slips at u. */
-cairn_motion cairn_arbiter_rub(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse);
+cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse);
 
 /*
  * A soft row's impulse from the rigid one: the mass scaled by 1 - a3 and a3 of the impulse given back, but for the load that

@@ -64,14 +64,16 @@ static cairn_motion relaxed(const cairn_body *a, const cairn_body *b, const cair
  * half of a sub-step's approach is still held at the static limit: the first passes over two points and their friction
  * find only part of it, and a body let go then would never stick again where static friction holds and kinetic does not.
  */
-cairn_motion cairn_arbiter_rub(const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse)
+cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse)
 {
     cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
-    cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(arbiter));
-    if (impulse > limit || -impulse > limit) {
-        cairn_motion slow = cairn_motion_half(pressure);
-        bool slides = u > slow || -u > slow;
-        impulse = cairn_motion_clamp(impulse, slides ? cairn_motion_factor(pressure, arbiter->kinetic_friction) : limit);
+    cairn_motion kinetic = cairn_motion_factor(pressure, arbiter->kinetic_friction);
+    if (impulse > kinetic || -impulse > kinetic) {
+        cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));
+        if (impulse > limit || -impulse > limit) {
+            cairn_motion slow = cairn_motion_half(pressure);
+            impulse = cairn_motion_clamp(impulse, u > slow || -u > slow ? kinetic : limit);
+        }
     }
     return cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX);
 }
@@ -180,7 +182,7 @@ void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter)
         press(&pair, arbiter, row, relaxed(a, b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
     cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    cairn_motion impulse = cairn_arbiter_rub(arbiter, u, less(arbiter->friction_impulse, u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass));
+    cairn_motion impulse = cairn_arbiter_rub(world, arbiter, u, less(arbiter->friction_impulse, u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass));
     cairn_motion rub = impulse - arbiter->friction_impulse;
     arbiter->friction_impulse = impulse;
     finish(&pair, arbiter, rub);

@@ -19,7 +19,6 @@ typedef double cairn_lever;
 typedef double cairn_ratio;
 typedef double cairn_share;
 typedef double cairn_factor;
-typedef double cairn_excess;
 typedef double cairn_wide;
 typedef double cairn_push;
 typedef double cairn_area;
@@ -189,8 +188,6 @@ static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { retu
 static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < limit; }
 static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < limit / 32; }
 static inline cairn_motion cairn_motion_ratio_short(cairn_motion a, cairn_ratio r) { return a * r; }
-static inline cairn_excess cairn_excess_of(cairn_factor f) { return f; }
-static inline cairn_factor cairn_factor_from_excess(cairn_excess e) { return e; }
 static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return a * f; }
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }

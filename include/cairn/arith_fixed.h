@@ -23,7 +23,6 @@ typedef int16_t cairn_lever;
 typedef int16_t cairn_ratio;
 typedef int32_t cairn_share;
 typedef int32_t cairn_factor;
-typedef uint16_t cairn_excess; /* a factor of 0 to 127 in 12 bits, times 2^0 to 2^15 in the lowest 4 */
 typedef int64_t cairn_push;
 typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
 typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.43: half a unit of Q4.28 at most */
@@ -554,14 +553,6 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
 {
     return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
 }
-/* The nearest to a factor, within 2^-12 of it; 0 <= f < 127 */
-static inline cairn_excess cairn_excess_of(cairn_factor f)
-{
-    int exponent = cairn_clz((uint32_t)f) < 20 ? 20 - cairn_clz((uint32_t)f) : 0;
-    uint32_t mantissa = exponent > 0 ? ((uint32_t)f + (1u << (exponent - 1))) >> exponent : (uint32_t)f;
-    return (uint16_t)(mantissa > 4095 ? 2048u << 4 | (uint32_t)(exponent + 1) : mantissa << 4 | (uint32_t)exponent);
-}
-static inline cairn_factor cairn_factor_from_excess(cairn_excess e) { return (cairn_factor)((uint32_t)(e >> 4) << (e & 15)); }
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return (int32_t)x << 6; }
 /* Rounded to 14 and to 13 bits below the point. */
 static inline cairn_factor cairn_factor_shortened(cairn_factor f) { return (cairn_factor)((uint32_t)(f + 32) & ~63u); }

@@ -153,17 +153,6 @@ void test_sizes_of_several_motions(void)
     TEST_ASSERT_EQUAL_INT32(7, cairn_motion_above_zero(7, 7));
 }
 
-void test_an_excess_is_the_factor_within_2_to_the_minus_12(void)
-{
-    for (int32_t i = 0; i < ROUNDS; i++) {
-        int32_t f = (any() & INT32_MAX) % CAIRN_FACTOR(127) >> (i % 27);
-        int32_t back = cairn_factor_from_excess(cairn_excess_of(f));
-        expect_within(f >> 12, f, back, f, 0);
-        if (f <= 4095) { expect(f, back, f, 0); }
-    }
-    TEST_ASSERT_EQUAL_INT32(8192, cairn_factor_from_excess(cairn_excess_of(8191)));
-}
-
 void test_leading_zeros_of_every_length(void)
 {
     TEST_ASSERT_EQUAL_INT(32, cairn_clz(0));

@@ -8,7 +8,7 @@ static const cairn_shape sliver = CAIRN_BOX(CAIRN_F(4), CAIRN_F(0.1));
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1));
 /* Friction above 1 is not for the quick ways. */
-static const cairn_material firm = CAIRN_MATERIAL(1, 0.9), rough = CAIRN_MATERIAL(1.01, 0.9), very_rough = CAIRN_MATERIAL(4, 4);
+static const cairn_material firm = CAIRN_MATERIAL(1, 1), rough = CAIRN_MATERIAL(1.01, 1.01), very_rough = CAIRN_MATERIAL(4, 4);
 
 void setUp(void) { open_yard(CAIRN_F(-10)); }
 void tearDown(void) {}
