@@ -96,7 +96,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t a, uint16_t b)
     arbiter->a = a;
     arbiter->b = b;
     arbiter->after = CAIRN_NONE;
-    if ((body_a->flags | body_b->flags) & CAIRN_BODY_SENSOR) {
+    if (body_a->model->sensor || body_b->model->sensor) {
         arbiter->flags |= CAIRN_ARBITER_SENSOR;
     }
     if (cairn_body_type_of(body_a) == CAIRN_STATIC) {
@@ -113,8 +113,7 @@ static cairn_pose pose_of(const cairn_body *body, cairn_offset x, cairn_offset y
     pose.shape = body->model->shape;
     pose.x = x;
     pose.y = y;
-    pose.c = body->cosine;
-    pose.s = body->sine;
+    cairn_body_facing(body, &pose.c, &pose.s);
     return pose;
 }
 
@@ -193,7 +192,7 @@ static void look(const cairn_world *world, const cairn_body *a, const cairn_body
         world->continuous->meet(world, a, b, manifold);
         return;
     }
-    cairn_offset margin = cairn_body_reach(world, a) + cairn_body_reach(world, b);
+    cairn_offset margin = 2 * CAIRN_REACH + cairn_body_way(a) + cairn_body_way(b);
     cairn_bodies_collide(a, b, margin, manifold);
     if (manifold->count != 0 && world->continuous != NULL) {
         world->continuous->slide(world, a, b, margin, manifold);
@@ -203,12 +202,14 @@ static void look(const cairn_world *world, const cairn_body *a, const cairn_body
 /* Look at a pair, whose arbiter is null if there is none yet. */
 static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
 {
-    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
     if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)
         || !cairn_bodies_may_meet(world, a, b)) {
         return;
     }
+    cairn_body_face(body_a);
+    cairn_body_face(body_b);
     look(world, body_a, body_b, &manifold);
     if (manifold.count == 0) {
         return;
@@ -256,8 +257,9 @@ static void give_way(cairn_body *body, cairn_share share, cairn_motion closing, 
 {
     if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
         cairn_motion by = cairn_motion_share(closing, share);
-        body->dx = cairn_motion_add(body->dx, cairn_motion_dir(by, arbiter->normal_x));
-        body->dy = cairn_motion_add(body->dy, cairn_motion_dir(by, arbiter->normal_y));
+        body->dx = cairn_motion_add(cairn_body_held_x(body), cairn_motion_dir(by, arbiter->normal_x));
+        body->dy = cairn_motion_add(cairn_body_held_y(body), cairn_motion_dir(by, arbiter->normal_y));
+        body->flags &= (uint16_t)~CAIRN_BODY_FACING;
     }
 }
 
@@ -270,7 +272,8 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_motion x = b->vx - a->vx, y = b->vy - a->vy;
     if (is_driven(x) || is_driven(y)) {
-        cairn_motion closing = -cairn_motion_along(x + b->dx - a->dx, y + b->dy - a->dy, arbiter->normal_x, arbiter->normal_y);
+        cairn_motion closing = -cairn_motion_along(x + cairn_body_held_x(b) - cairn_body_held_x(a),
+                                                    y + cairn_body_held_y(b) - cairn_body_held_y(a), arbiter->normal_x, arbiter->normal_y);
         if (closing > DRIVEN) {
             give_way(a, arbiter->share_a, -closing, arbiter);
             give_way(b, cairn_arbiter_share_b(arbiter), closing, arbiter);

@@ -141,18 +141,17 @@ static unsigned flags_of(const cairn_body_model *model)
 {
     bool dynamic = model->type == CAIRN_DYNAMIC, fixed = dynamic && model->fixed_position;
     bool plain = dynamic && !fixed && model->gravity_scale == CAIRN_F(1) && model->damping == 0 && model->angular_damping == 0;
-    return (unsigned)model->type | cairn_flag_if(model->sensor, CAIRN_BODY_SENSOR) | cairn_flag_if(fixed, CAIRN_BODY_FIXED_POSITION)
-         | cairn_flag_if(dynamic && model->fixed_rotation, CAIRN_BODY_FIXED_ROTATION) | cairn_flag_if(plain, CAIRN_BODY_PLAIN);
+    return (unsigned)model->type | cairn_flag_if(fixed, CAIRN_BODY_FIXED_POSITION) | cairn_flag_if(plain, CAIRN_BODY_PLAIN);
 }
 
-#define OF_MODEL (CAIRN_BODY_TYPE | CAIRN_BODY_SENSOR | CAIRN_BODY_FIXED_POSITION | CAIRN_BODY_FIXED_ROTATION | CAIRN_BODY_PLAIN)
+#define OF_MODEL (CAIRN_BODY_TYPE | CAIRN_BODY_FIXED_POSITION | CAIRN_BODY_PLAIN)
 
 static void take_model(cairn_world *world, cairn_body *body, const cairn_body_model *model, const cairn_mass_data *mass)
 {
     body->model = model;
     body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
     body->inverse_gyration = 0;
-    if (model->type != CAIRN_STATIC && !(body->flags & CAIRN_BODY_FIXED_ROTATION)) {
+    if (model->type == CAIRN_KINEMATIC || (model->type == CAIRN_DYNAMIC && !model->fixed_rotation)) {
         body->inverse_gyration = cairn_wide_pack(cairn_wide_div(cairn_wide_from_int(1), mass->gyration));
     }
     if (model->material->bounce != NULL) {
@@ -165,8 +164,10 @@ void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *
     const cairn_polygon *polygon = body->model->shape->polygon;
     *x = *y = 0;
     if (polygon != NULL) {
-        *x = cairn_offset_dot(polygon->centroid.x, -polygon->centroid.y, body->cosine, body->sine);
-        *y = cairn_offset_dot(polygon->centroid.x, polygon->centroid.y, body->sine, body->cosine);
+        cairn_unit c, s;
+        cairn_angle_rotation(body->angle, &c, &s);
+        *x = cairn_offset_dot(polygon->centroid.x, -polygon->centroid.y, c, s);
+        *y = cairn_offset_dot(polygon->centroid.x, polygon->centroid.y, s, c);
     }
 }
 
@@ -174,7 +175,6 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
 {
     cairn_offset cx, cy;
     body->angle = angle;
-    cairn_angle_rotation(angle, &body->cosine, &body->sine);
     cairn_body_centroid(body, &cx, &cy);
     cairn_residue rx = cairn_residue_zero(), ry = rx;
     cairn_coordinate_shift(&position.x, &rx, cx);
@@ -183,7 +183,7 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->y = position.y;
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
-    (void)cairn_body_look_ahead(world, body);
+    cairn_body_refresh_extents(world, body);
 }
 
 /* After a change of where a body is or of whom it meets. */
@@ -357,17 +357,17 @@ cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const ca
         return cairn_fail(world, status);
     }
     cairn_wide old_mass = cairn_body_mass_of(body), new_mass;
-    unsigned old_flags = body->flags;
+    const cairn_body_model *old = body->model;
     take_model(world, body, model, &mass);
     new_mass = cairn_body_mass_of(body);
-    if (body->flags & CAIRN_BODY_FIXED_ROTATION) {
+    if (!cairn_body_can_turn(body)) {
         body->w = 0;
     }
     if (body->flags & CAIRN_BODY_FIXED_POSITION) {
         body->vx = body->vy = 0;
     }
     bool same_mass = !cairn_wide_less(old_mass, new_mass) && !cairn_wide_less(new_mass, old_mass);
-    bool as_free = ((old_flags ^ body->flags) & OF_MODEL & ~(unsigned)CAIRN_BODY_PLAIN) == 0;
+    bool as_free = old->sensor == model->sensor && old->fixed_rotation == model->fixed_rotation && old->fixed_position == model->fixed_position;
     cairn_body_wake_up(world, body);
     change_contacts(world, body, (uint16_t)(id.index - 1), same_mass && as_free);
     return CAIRN_OK;

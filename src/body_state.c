@@ -82,8 +82,10 @@ cairn_vec2 cairn_body_to_world(cairn_world *world, cairn_body_id id, cairn_vec2 
         return cairn_vec2_of(0, 0);
     }
     cairn_vec2 origin = origin_of(body);
-    return cairn_vec2_of(cairn_real_add(origin.x, cairn_real_turn(local.x, -local.y, body->cosine, body->sine)),
-                         cairn_real_add(origin.y, cairn_real_turn(local.x, local.y, body->sine, body->cosine)));
+    cairn_unit c, s;
+    cairn_angle_rotation(body->angle, &c, &s);
+    return cairn_vec2_of(cairn_real_add(origin.x, cairn_real_turn(local.x, -local.y, c, s)),
+                         cairn_real_add(origin.y, cairn_real_turn(local.x, local.y, s, c)));
 }
 
 cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 point)
@@ -94,7 +96,9 @@ cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 
     }
     cairn_vec2 origin = origin_of(body);
     cairn_real x = cairn_real_sub(point.x, origin.x), y = cairn_real_sub(point.y, origin.y);
-    return cairn_vec2_of(cairn_real_turn(x, y, body->cosine, body->sine), cairn_real_turn(x, y, -body->sine, body->cosine));
+    cairn_unit c, s;
+    cairn_angle_rotation(body->angle, &c, &s);
+    return cairn_vec2_of(cairn_real_turn(x, y, c, s), cairn_real_turn(x, y, -s, c));
 }
 
 cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
@@ -147,5 +151,5 @@ bool cairn_body_is_awake(cairn_world *world, cairn_body_id id)
 bool cairn_body_is_sensor(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    return body != NULL && (body->flags & CAIRN_BODY_SENSOR) != 0;
+    return body != NULL && body->model->sensor;
 }

@@ -170,9 +170,9 @@ static cairn_pose turned(const cairn_body *body, cairn_offset turn)
     cairn_pose pose;
     pose.shape = body->model->shape;
     pose.x = pose.y = 0;
-    pose.c = body->cosine;
-    pose.s = body->sine;
-    if (turn != 0) {
+    pose.c = CAIRN_UNIT(1);
+    pose.s = 0;
+    if (!cairn_body_is_round(body)) {
         cairn_angle by = cairn_angle_from_motion(cairn_motion_from_offset(turn), cairn_body_inverse_gyration(body));
         cairn_angle_rotation(cairn_angle_add(body->angle, by), &pose.c, &pose.s);
     }
@@ -491,8 +491,8 @@ static void hasten(cairn_world *world, cairn_body *body)
     if (world->continuous == NULL || !cairn_body_is_dynamic(body) || !cairn_body_is_fast(world, body)) {
         return;
     }
-    cairn_real x = body->extent_x, y = body->extent_y;
-    (void)cairn_body_look_ahead(world, body);
+    cairn_extent x = body->extent_x, y = body->extent_y;
+    cairn_body_refresh_extents(world, body);
     body->extent_x = body->extent_x > x ? body->extent_x : x;
     body->extent_y = body->extent_y > y ? body->extent_y : y;
     body->flags |= CAIRN_BODY_FAST;

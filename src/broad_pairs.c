@@ -5,7 +5,7 @@
  */
 #include "engine.h"
 
-static cairn_real left_of(const cairn_body *body) { return body->x - body->extent_x; }
+static cairn_real left_of(const cairn_body *body) { return body->x - cairn_real_from_extent(body->extent_x); }
 
 /* Ties by place in the pool, so that the order does not depend on how bodies came there. */
 static bool comes_before(cairn_real left, uint16_t i, cairn_real other_left, uint16_t other)
@@ -48,14 +48,14 @@ static void pair_with_rest(cairn_world *world, const uint16_t *place, const uint
 {
     uint16_t i = *place;
     const cairn_body *a = &world->bodies[i];
-    cairn_real right = a->x + a->extent_x;
+    cairn_real right = a->x + cairn_real_from_extent(a->extent_x);
     bool idle = !cairn_body_is_active(a);
     while (++place != end) {
         const cairn_body *b = &world->bodies[*place];
         if (left_of(b) > right) {
             return;
         }
-        if (cairn_real_is_within(a->y - b->y, a->extent_y + b->extent_y) && (b->flags & CAIRN_BODY_USED)
+        if (cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y)) && (b->flags & CAIRN_BODY_USED)
             && !(idle && !cairn_body_is_active(b))) {
             cairn_arbiter_pair(world, i, *place);
         }

@@ -33,7 +33,13 @@ static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 /* Surfaces lie within 2 sqrt(2) radii of gyration of the centre; a circle's does not move by turning. */
 static cairn_offset sweep_of(const cairn_body *body, cairn_motion w)
 {
-    return body->model->shape->kind->outline == NULL ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
+    return cairn_body_is_round(body) ? 0 : 3 * magnitude(cairn_offset_from_motion(w));
+}
+
+/* The angle by which it turns; none for what is round. */
+static cairn_angle turn_of(const cairn_body *body, cairn_motion w)
+{
+    return cairn_body_is_round(body) ? 0 : cairn_angle_from_motion(w, cairn_body_inverse_gyration(body));
 }
 
 /* By the velocities of the step's start; a spin beyond the limit will be cut to it. */
@@ -44,9 +50,9 @@ static course ahead(const cairn_world *world, const cairn_body *body, cairn_offs
     c.body = body;
     c.x = x;
     c.y = y;
-    c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, body->dx)) * world->substeps;
-    c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, body->dy)) * world->substeps;
-    c.turn = cairn_angle_from_motion(w * world->substeps, cairn_body_inverse_gyration(body));
+    c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, cairn_body_held_x(body))) * world->substeps;
+    c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, cairn_body_held_y(body))) * world->substeps;
+    c.turn = turn_of(body, w * world->substeps);
     c.sweep = sweep_of(body, w) * world->substeps;
     return c;
 }
@@ -57,9 +63,9 @@ static cairn_pose pose_at(const course *c, cairn_unit time)
     pose.shape = c->body->model->shape;
     pose.x = c->x + cairn_offset_mul(c->dx, time);
     pose.y = c->y + cairn_offset_mul(c->dy, time);
-    pose.c = c->body->cosine;
-    pose.s = c->body->sine;
-    if (c->turn != 0) {
+    if (c->turn == 0) {
+        cairn_body_facing(c->body, &pose.c, &pose.s);
+    } else {
         cairn_angle_rotation(cairn_angle_add(c->body->angle, cairn_angle_part(c->turn, time)), &pose.c, &pose.s);
     }
     return pose;
@@ -194,7 +200,7 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
         out->count = 0;
         return;
     }
-    if ((a->flags | b->flags) & CAIRN_BODY_SENSOR) {
+    if (a->model->sensor || b->model->sensor) {
         if (found == OUTCOME_TOUCH) {
             out->points[0].separation = 0; /* it counts as touching: a sensor must not miss what flies through */
         }
@@ -215,8 +221,8 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
 static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const cairn_manifold *contact)
 {
     cairn_offset2 by;
-    by.x = cairn_offset_from_motion(b->dx - a->dx);
-    by.y = cairn_offset_from_motion(b->dy - a->dy);
+    by.x = cairn_offset_from_motion(cairn_body_held_x(b) - cairn_body_held_x(a));
+    by.y = cairn_offset_from_motion(cairn_body_held_y(b) - cairn_body_held_y(a));
     if (by.x != 0 || by.y != 0) {
         cairn_offset own = cairn_offset_dot(by.x, by.y, contact->normal_x, contact->normal_y);
         by.x -= cairn_offset_mul(own, contact->normal_x);
@@ -259,7 +265,7 @@ static course behind(const cairn_body *body, cairn_offset x, cairn_offset y)
     c.y = y;
     c.dx = cairn_offset_from_motion(body->dx);
     c.dy = cairn_offset_from_motion(body->dy);
-    c.turn = cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body));
+    c.turn = turn_of(body, body->dw);
     c.sweep = sweep_of(body, body->dw);
     return c;
 }
@@ -358,7 +364,7 @@ static bool clip_body(cairn_world *world, uint16_t index)
     cairn_unit time = CAIRN_UNIT(1);
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *other = &world->bodies[i];
-        if (i != index && (other->flags & (CAIRN_BODY_USED | CAIRN_BODY_SENSOR)) == CAIRN_BODY_USED && cairn_boxes_overlap(fast, other)
+        if (i != index && (other->flags & CAIRN_BODY_USED) && !other->model->sensor && cairn_boxes_overlap(fast, other)
             && cairn_bodies_may_meet(world, index, i)) {
             cairn_unit until = core_time(fast, other);
             if (until < time) {
@@ -382,7 +388,7 @@ static void clip(cairn_world *world)
         again = false;
         for (uint16_t i = 0; i < world->body_end; i++) {
             unsigned flags = world->bodies[i].flags;
-            if ((flags & CAIRN_BODY_FAST) && !(flags & CAIRN_BODY_SENSOR) && cairn_body_is_dynamic(&world->bodies[i])
+            if ((flags & CAIRN_BODY_FAST) && !world->bodies[i].model->sensor && cairn_body_is_dynamic(&world->bodies[i])
                 && cairn_body_is_active(&world->bodies[i])) {
                 again = clip_body(world, i) || again;
             }

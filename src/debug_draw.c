@@ -12,7 +12,7 @@ static uint8_t lock(cairn_world *world)
 
 static cairn_draw_state state_of(const cairn_body *body)
 {
-    if (body->flags & CAIRN_BODY_SENSOR) {
+    if (body->model->sensor) {
         return CAIRN_DRAW_SENSOR;
     }
     switch (cairn_body_type_of(body)) {
@@ -38,7 +38,9 @@ static cairn_vec2 place_of(const cairn_body *body, cairn_offset x, cairn_offset 
 
 static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
 {
-    cairn_vec2 axis = cairn_vec2_of(cairn_real_from_unit(body->cosine), cairn_real_from_unit(body->sine));
+    cairn_unit c, s;
+    cairn_angle_rotation(body->angle, &c, &s);
+    cairn_vec2 axis = cairn_vec2_of(cairn_real_from_unit(c), cairn_real_from_unit(s));
     if (draw->circle != NULL) {
         draw->circle(draw->context, id, state_of(body), place_of(body, 0, 0), body->model->shape->size.x, axis);
     }
@@ -51,7 +53,9 @@ static void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const c
     if (draw->polygon == NULL) {
         return;
     }
-    body->model->shape->kind->outline(body->model->shape, body->cosine, body->sine, &hull);
+    cairn_unit c, s;
+    cairn_angle_rotation(body->angle, &c, &s);
+    body->model->shape->kind->outline(body->model->shape, c, s, &hull);
     for (int i = 0; i < hull.count; i++) {
         corners[i] = place_of(body, hull.vertex[i].x, hull.vertex[i].y);
     }

@@ -25,8 +25,8 @@
 enum {
     CAIRN_BODY_TYPE = 3,
     CAIRN_BODY_USED = 1 << 2,
-    CAIRN_BODY_SENSOR = 1 << 3,
-    CAIRN_BODY_FIXED_ROTATION = 1 << 4,
+    CAIRN_BODY_WIDE = 1 << 3,     /* its bounding box has the way of a step in it */
+    CAIRN_BODY_FACING = 1 << 4,   /* dx and dy are the cosine and sine of its angle */
     CAIRN_BODY_FIXED_POSITION = 1 << 5,
     CAIRN_BODY_ASLEEP = 1 << 6,
     CAIRN_BODY_SPRUNG = 1 << 7,   /* a spring without contact holds it */
@@ -101,6 +101,28 @@ cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
 static inline bool cairn_body_can_turn(const cairn_body *body) { return body->inverse_gyration != 0; }
 static inline cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
 
+static inline bool cairn_body_is_round(const cairn_body *body) { return body->model->shape->kind->outline == NULL; }
+
+/*
+ * During the search for contacts dx and dy are the cosine and sine of the angle where the narrow phase has asked for them
+ * (CAIRN_BODY_FACING), or what holds the body back (arbiter.c), and dw is how far its surface may come in this step. When it
+ * is done all are zero. What is round looks the same from everywhere.
+ */
+static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cairn_unit *s)
+{
+    *c = CAIRN_UNIT(1);
+    *s = 0;
+    if (body->flags & CAIRN_BODY_FACING) {
+        *c = body->dx;
+        *s = body->dy;
+    } else if (!cairn_body_is_round(body)) {
+        cairn_angle_rotation(body->angle, c, s);
+    }
+}
+static inline cairn_motion cairn_body_held_x(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dx; }
+static inline cairn_motion cairn_body_held_y(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dy; }
+static inline cairn_offset cairn_body_way(const cairn_body *body) { return body->dw; }
+
 /* While nothing moves, dw may hold the place of another body: of the next free one, or for a stage of the step that leaves it zero. */
 static inline uint16_t cairn_body_link(const cairn_body *body) { return (uint16_t)body->dw; }
 static inline void cairn_body_set_link(cairn_body *body, uint16_t place) { body->dw = (cairn_motion)place; }
@@ -133,8 +155,14 @@ cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body)
 void cairn_body_wake_up(cairn_world *world, cairn_body *body);
 
 /* ---- motion.c ---- */
-/* Half sizes of the bounding box, with the margin for this step's motion. Returns whether it is fast, as cairn_body_is_fast() does. */
-bool cairn_body_look_ahead(const cairn_world *world, cairn_body *body);
+/* Before the search: bounding boxes with the margin of this step, and which bodies are fast. */
+void cairn_bodies_look_ahead(cairn_world *world);
+/* For the search: keep the cosine and sine. */
+void cairn_body_face(cairn_body *body);
+/* After it. */
+void cairn_bodies_end_search(cairn_world *world);
+/* Half sizes of the bounding box, with a margin for this step's motion. */
+void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body);
 /* How far the body's surface can move in this step, and the reach. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
 /* So slow, and moved so little in this step, that the formats cannot tell it from rest. */
@@ -151,7 +179,8 @@ void cairn_bodies_finish(cairn_world *world);
 extern const cairn_broad_class cairn_broad_pairs;
 static inline bool cairn_boxes_overlap(const cairn_body *a, const cairn_body *b)
 {
-    return cairn_real_is_within(a->x - b->x, a->extent_x + b->extent_x) && cairn_real_is_within(a->y - b->y, a->extent_y + b->extent_y);
+    return cairn_real_is_within(a->x - b->x, cairn_real_from_extents(a->extent_x, b->extent_x))
+        && cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y));
 }
 
 /* ---- narrow phase ---- */

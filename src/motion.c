@@ -30,22 +30,75 @@ static cairn_offset way_of(const cairn_world *world, const cairn_body *body)
 
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) { return CAIRN_REACH + way_of(world, body); }
 
+/* More than this in a step is in the margin of a body's box; less is in that of every box. */
+#define BRISK (CAIRN_REACH / 4)
+
 static bool is_long(cairn_offset way, const cairn_shape *shape)
 {
-    return 4 * way > CAIRN_REACH && 4 * way > cairn_offset_from_real(shape->kind->inradius(shape));
+    return way > BRISK && 4 * way > cairn_offset_from_real(shape->kind->inradius(shape));
 }
 
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body) { return is_long(way_of(world, body), body->model->shape); }
 
-bool cairn_body_look_ahead(const cairn_world *world, cairn_body *body)
+/* Those of all angles of the sector in which it looks: what hardly turns keeps them. */
+static void set_extents(cairn_body *body, cairn_offset way)
 {
     const cairn_shape *shape = body->model->shape;
-    cairn_offset way = way_of(world, body);
-    cairn_real reach = cairn_real_above_offset(CAIRN_REACH + way);
-    shape->kind->extents(shape, body->cosine, body->sine, &body->extent_x, &body->extent_y);
-    body->extent_x += reach;
-    body->extent_y += reach;
-    return is_long(way, shape);
+    cairn_real margin = cairn_real_above_offset(CAIRN_REACH + (way > BRISK ? way : BRISK)), x, y;
+    cairn_unit c, s;
+    cairn_body_facing(body, &c, &s);
+    shape->kind->extents(shape, c, s, &x, &y);
+    bool turns = cairn_body_can_turn(body) && !cairn_body_is_round(body);
+    body->extent_x = cairn_extent_above(x + margin + (turns ? cairn_real_sector(y) : 0));
+    body->extent_y = cairn_extent_above(y + margin + (turns ? cairn_real_sector(x) : 0));
+    body->flags = (uint16_t)(way > BRISK ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
+}
+
+void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body) { set_extents(body, way_of(world, body)); }
+
+void cairn_body_face(cairn_body *body)
+{
+    if (!(body->flags & CAIRN_BODY_FACING) && body->dx == 0 && body->dy == 0 && !cairn_body_is_round(body)) {
+        cairn_angle_rotation(body->angle, &body->dx, &body->dy);
+        body->flags |= CAIRN_BODY_FACING;
+    }
+}
+
+void cairn_bodies_look_ahead(cairn_world *world)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    bool watches = world->continuous != NULL;
+    world->stats.awake = 0;
+    world->fast = 0;
+    for (cairn_body *body = world->bodies; body != end; body++) {
+        if (!cairn_body_is_active(body)) {
+            continue;
+        }
+        cairn_offset way = way_of(world, body);
+        body->dw = way;
+        if (way > BRISK || (body->flags & CAIRN_BODY_WIDE) || body->extent_x == 0) {
+            cairn_body_face(body);
+            set_extents(body, way);
+        }
+        body->flags &= (uint16_t)~CAIRN_BODY_FAST;
+        if (watches && is_long(way, body->model->shape)) {
+            body->flags |= CAIRN_BODY_FAST;
+            world->fast++;
+        }
+        world->stats.awake++;
+    }
+}
+
+void cairn_bodies_end_search(cairn_world *world)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
+        if (body->flags & CAIRN_BODY_USED) {
+            body->dx = body->dy = body->dw = 0;
+            body->flags &= (uint16_t)~CAIRN_BODY_FACING;
+        }
+    }
+    world->held_back = false;
 }
 
 /* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */
@@ -212,8 +265,11 @@ void cairn_bodies_finish(cairn_world *world)
         body->x_residue = move_coordinate(world, &body->x, body->x_residue, &body->vx, &body->dx) & CAIRN_RESIDUE_BITS;
         body->y_residue = move_coordinate(world, &body->y, body->y_residue, &body->vy, &body->dy) & CAIRN_RESIDUE_BITS;
         if (body->dw != 0) {
-            body->angle = cairn_angle_add(body->angle, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
-            cairn_angle_rotation(body->angle, &body->cosine, &body->sine);
+            cairn_angle before = body->angle;
+            body->angle = cairn_angle_add(before, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
+            if (!cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)) {
+                body->extent_x = 0;
+            }
         }
         body->ux = body->uy = body->uw = 0;
     }

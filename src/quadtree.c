@@ -18,10 +18,11 @@ typedef struct bounds {
 static bounds bounds_of(const cairn_body *body)
 {
     bounds box;
-    box.left = body->x - body->extent_x;
-    box.right = body->x + body->extent_x;
-    box.bottom = body->y - body->extent_y;
-    box.top = body->y + body->extent_y;
+    cairn_real x = cairn_real_from_extent(body->extent_x), y = cairn_real_from_extent(body->extent_y);
+    box.left = body->x - x;
+    box.right = body->x + x;
+    box.bottom = body->y - y;
+    box.top = body->y + y;
     return box;
 }
 
@@ -91,7 +92,7 @@ static void sort(const cairn_world *world, cairn_quadtree *tree, const cairn_qua
         unsigned quadrants = quadrants_of(body, x, y);
         push(tree, &s->list[quadrant_home[quadrants]], entry);
         s->needed += quadrant_count[quadrants];
-        s->small += body->extent_x <= eighth && body->extent_y <= eighth ? 1u : 0u;
+        s->small += cairn_real_from_extent(body->extent_x) <= eighth && cairn_real_from_extent(body->extent_y) <= eighth ? 1u : 0u;
         entry = next;
     }
 }
@@ -180,8 +181,8 @@ static bool is_last(cairn_real a, cairn_real b, cairn_real cell, cairn_real root
 
 static bool reports(const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_body *a, const cairn_body *b)
 {
-    return is_last(a->x - a->extent_x, b->x - b->extent_x, place->x, tree->x)
-        && is_last(a->y - a->extent_y, b->y - b->extent_y, place->y, tree->y);
+    return is_last(a->x - cairn_real_from_extent(a->extent_x), b->x - cairn_real_from_extent(b->extent_x), place->x, tree->x)
+        && is_last(a->y - cairn_real_from_extent(a->extent_y), b->y - cairn_real_from_extent(b->extent_y), place->y, tree->y);
 }
 
 /* One body against those behind it in the leaf. */

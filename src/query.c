@@ -31,7 +31,9 @@ static region region_about(const cairn_body *body)
 {
     region r;
     cairn_real x, y, step = cairn_real_above_offset(0);
-    body->model->shape->kind->extents(body->model->shape, body->cosine, body->sine, &x, &y);
+    cairn_unit c, s;
+    cairn_body_facing(body, &c, &s);
+    body->model->shape->kind->extents(body->model->shape, c, s, &x, &y);
     r.lower = cairn_vec2_of(body->x - x, body->y - y);
     r.upper = cairn_vec2_of(body->x + x + step, body->y + y + step);
     return r;
@@ -66,7 +68,9 @@ static void set_target(target *s, const cairn_body *body, cairn_real span)
         s->radius = scaled(s, cairn_offset_from_real(body->model->shape->size.x));
         return;
     }
-    body->model->shape->kind->outline(body->model->shape, body->cosine, body->sine, &s->hull);
+    cairn_unit c, sine;
+    cairn_body_facing(body, &c, &sine);
+    body->model->shape->kind->outline(body->model->shape, c, sine, &s->hull);
     for (int i = 0; i < s->hull.count; i++) {
         s->hull.vertex[i].x = scaled(s, s->hull.vertex[i].x);
         s->hull.vertex[i].y = scaled(s, s->hull.vertex[i].y);
@@ -210,7 +214,7 @@ cairn_status cairn_query_ray(cairn_world *world, cairn_vec2 start, cairn_vec2 en
     best.fraction = best.normal_x = best.normal_y = 0;
     for (uint16_t i = 0; i < world->body_end; i++) {
         const cairn_body *body = &world->bodies[i];
-        if (answers(body, mask) && !(body->flags & CAIRN_BODY_SENSOR) && enter_body(&r, body, &in)
+        if (answers(body, mask) && !body->model->sensor && enter_body(&r, body, &in)
             && (closest == NULL || in.fraction < best.fraction)) {
             closest = body;
             best = in;

@@ -101,10 +101,13 @@ static void count_rest(cairn_world *world, cairn_body *body)
     body->rest = (slow ? body->rest + counts : 0) & 255u;
 }
 
-static void fall_asleep(cairn_body *body)
+static void fall_asleep(const cairn_world *world, cairn_body *body)
 {
     body->flags |= CAIRN_BODY_ASLEEP;
     body->vx = body->vy = body->w = 0;
+    if (body->extent_x == 0) { /* it may have to be found as it lies there */
+        cairn_body_refresh_extents(world, body);
+    }
 }
 
 static void drop_links(cairn_world *world)
@@ -145,7 +148,7 @@ static void settle(cairn_world *world)
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body) && cairn_body_is_dynamic(body) && !(world->bodies[root_of(world, i)].flags & CAIRN_BODY_RESTLESS)) {
-            fall_asleep(body);
+            fall_asleep(world, body);
         }
     }
     drop_links(world);

@@ -12,15 +12,13 @@ static cairn_offset2 arm_of(cairn_offset x, cairn_offset y, cairn_unit c, cairn_
 /* The arm of an anchor when the body has turned by dw in this step. */
 static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset x, cairn_offset y, cairn_motion dw)
 {
-    cairn_unit c = body->cosine, s = body->sine;
+    cairn_unit c, s;
     if (x == 0 && y == 0) {
         cairn_offset2 none;
         none.x = none.y = 0;
         return none;
     }
-    if (dw != 0) {
-        cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, cairn_body_inverse_gyration(body))), &c, &s);
-    }
+    cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, cairn_body_inverse_gyration(body))), &c, &s);
     return arm_of(x, y, c, s);
 }
 

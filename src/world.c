@@ -81,24 +81,6 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
 }
 
-/* Bounding boxes; who is awake, who is fast. */
-static void look_ahead(cairn_world *world)
-{
-    world->stats.awake = 0;
-    world->fast = 0;
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
-        if (cairn_body_is_active(body)) {
-            world->stats.awake++;
-            body->flags &= (uint16_t)~CAIRN_BODY_FAST;
-            if (cairn_body_look_ahead(world, body) && world->continuous != NULL) {
-                body->flags |= CAIRN_BODY_FAST;
-                world->fast++;
-            }
-        }
-    }
-}
-
 static void find_pairs(cairn_world *world)
 {
     uint32_t dropped = world->stats.dropped;
@@ -107,12 +89,6 @@ static void find_pairs(cairn_world *world)
         world->stats.pairs = 0;
         world->stats.dropped = dropped;
         world->broad->find_pairs(world); /* what woke has pairs of its own */
-    }
-    if (world->held_back) {
-        for (uint16_t i = 0; i < world->body_end; i++) {
-            world->bodies[i].dx = world->bodies[i].dy = 0;
-        }
-        world->held_back = false;
     }
 }
 
@@ -147,9 +123,10 @@ cairn_status cairn_world_step(cairn_world *world)
     if (world->sleep != NULL) {
         world->sleep->wake(world);
     }
-    look_ahead(world);
+    cairn_bodies_look_ahead(world);
     cairn_arbiters_begin(world);
     find_pairs(world);
+    cairn_bodies_end_search(world);
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;
     if (world->stats.awake != 0) {

@@ -19,6 +19,7 @@
  * cairn_grip    Q11.20               friction coefficients
  * cairn_push    Q35.28 in 64 bits   impulses and velocities of a block, see block.h (+-524288 m)
  * cairn_wide    32-bit mantissa and exponent   positive magnitudes of any size: masses, inertias, stiffness; set-up only
+ * cairn_extent  Q8.8 in 16 bits      half sizes of bounding boxes, rounded up
  * cairn_packed  24-bit mantissa and exponent   a cairn_wide in 32 bits, as a body keeps it
  *
  * Values of one type may be added, subtracted, negated and compared with C's own operators where their range

@@ -23,6 +23,7 @@ typedef double cairn_wide;
 typedef double cairn_push;
 typedef double cairn_area;
 typedef uint8_t cairn_carry;
+typedef double cairn_extent;
 typedef double cairn_packed;
 typedef uint16_t cairn_residue; /* nothing lies below a double's last bit */
 
@@ -134,6 +135,11 @@ static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return x; 
 #define CAIRN_OFFSET_MAX 512.0
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x / 2; }
 static inline cairn_offset cairn_offset_add(cairn_offset a, cairn_offset b) { return a + b; }
+static inline cairn_extent cairn_extent_above(cairn_real x) { return x; }
+static inline cairn_real cairn_real_from_extent(cairn_extent x) { return x; }
+static inline cairn_real cairn_real_from_extents(cairn_extent a, cairn_extent b) { return a + b; }
+static inline bool cairn_angle_is_in_sector(cairn_angle a, cairn_angle b) { return floor(a * (2048 / CAIRN_PI)) == floor(b * (2048 / CAIRN_PI)); }
+static inline cairn_real cairn_real_sector(cairn_real radius) { return radius / 512; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }

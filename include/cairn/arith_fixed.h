@@ -27,6 +27,7 @@ typedef int64_t cairn_push;
 typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up only */
 typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.43: half a unit of Q4.28 at most */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
+typedef uint16_t cairn_extent;  /* half the size of a box, rounded up to 1/256 m */
 typedef uint32_t cairn_packed;  /* the mantissa in the upper 24 bits, the exponent in the lower 8; zero is 0 */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
@@ -303,6 +304,12 @@ static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x 
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x >> 1; }
 static inline cairn_offset cairn_offset_add(cairn_offset a, cairn_offset b) { return cairn_add_clamped(a, b); }
 /* The next API number that is not below x. */
+static inline cairn_extent cairn_extent_above(cairn_real x) { return (cairn_extent)(x > 0xFFFF00 ? 0xFFFF : (x + 255) >> 8); }
+static inline cairn_real cairn_real_from_extent(cairn_extent x) { return (cairn_real)x << 8; }
+static inline cairn_real cairn_real_from_extents(cairn_extent a, cairn_extent b) { return (cairn_real)(((uint32_t)a + b) << 8); }
+/* Of 4096 sectors of a turn, are both angles in the same? And by how much at most a point so far away moves within one. */
+static inline bool cairn_angle_is_in_sector(cairn_angle a, cairn_angle b) { return ((uint32_t)a ^ (uint32_t)b) >> 20 == 0; }
+static inline cairn_real cairn_real_sector(cairn_real radius) { return (radius >> 9) + 1; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return (x >> 6) + 1; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return cairn_mul32(a, u, 30); }
 /* ax ux + ay uy */

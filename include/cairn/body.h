@@ -60,16 +60,15 @@ typedef struct cairn_body {
        The turning components (w) are angles times the radius of gyration. */
     cairn_motion vx, vy, w;
     cairn_motion ux, uy, uw; /* between steps: the velocity change per sub-step by the applied forces */
-    cairn_motion dx, dy, dw; /* where nothing moves dw may hold a link, see engine.h */
+    cairn_motion dx, dy, dw; /* outside of the sub-steps other things, see engine.h */
     uint16_t flags;
     uint16_t generation;
-    cairn_real extent_x, extent_y; /* half sizes of the bounding box, with the margin of this step */
+    cairn_extent extent_x, extent_y; /* half sizes of the bounding box with a margin; x is 0 while they are not known */
     cairn_real x, y; /* centre of mass */
     unsigned x_residue : 12, y_residue : 12; /* cairn_residue */
     unsigned rest : 8;              /* steps at rest, see sleep.c */
     cairn_carry vx_carry, vy_carry; /* of impacts, see bounce.c */
     cairn_angle angle;
-    cairn_unit cosine, sine;
     const cairn_body_model *model;
     cairn_packed inverse_gyration; /* 1/m; zero if it cannot turn */
 } cairn_body;

@@ -1,6 +1,11 @@
 /* Bodies: kinds, motion by forces and impulses against closed forms, what a game may ask and change. */
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
+/* The memory of a body on the cores that the engine is for. */
+#if !defined(CAIRN_DOUBLE) && UINTPTR_MAX == 0xFFFFFFFF
+typedef char assert_body_takes_72_bytes[sizeof(cairn_body) == 72 ? 1 : -1];
+#endif
+
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.1));
 static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));          /* 1 kg, 1/6 kg m^2 */

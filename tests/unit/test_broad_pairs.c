@@ -65,7 +65,7 @@ static void assert_sorted(const cairn_world *world)
     for (uint16_t place = 1; place < world->sorted_count; place++) {
         uint16_t i = world->sorted[place - 1], j = world->sorted[place];
         const cairn_body *a = &world->bodies[i], *b = &world->bodies[j];
-        cairn_real left = a->x - a->extent_x, next = b->x - b->extent_x;
+        cairn_real left = a->x - cairn_real_from_extent(a->extent_x), next = b->x - cairn_real_from_extent(b->extent_x);
         TEST_ASSERT_TRUE(left < next || (left == next && i < j));
     }
 }

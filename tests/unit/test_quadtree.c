@@ -99,8 +99,8 @@ static void add_body(cairn_world *world, uint32_t *seed, world_kind kind, double
     cairn_body *body = &world->bodies[id.index - 1];
     body->flags |= CAIRN_BODY_SPRUNG;
     if (kind == ON_THE_LINES) { /* edge to edge, also on the lines between cells */
-        body->extent_x = cairn_real_half(cairn_real_from_int(random_between(seed, 1, 3)));
-        body->extent_y = cairn_real_half(cairn_real_from_int(random_between(seed, 1, 3)));
+        body->extent_x = cairn_extent_above(cairn_real_half(cairn_real_from_int(random_between(seed, 1, 3))));
+        body->extent_y = cairn_extent_above(cairn_real_half(cairn_real_from_int(random_between(seed, 1, 3))));
     }
     if (def.type == CAIRN_DYNAMIC && random_between(seed, 0, 5) == 0) {
         body->flags |= CAIRN_BODY_ASLEEP;
