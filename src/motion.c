@@ -248,8 +248,8 @@ static void follow_contacts(cairn_world *world)
 void cairn_bodies_finish(cairn_world *world)
 {
     mark_held(world);
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
         if (!cairn_body_is_active(body)) {
             continue;
         }

@@ -47,8 +47,8 @@ static inline void lean(cairn_body *body)
 /* Enter the biased pass: v + beta d. */
 static void lean_all(cairn_world *world)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
         if (may_lean(body) && is_met(body)) {
             lean(body);
         }
@@ -72,8 +72,8 @@ static inline void repeat(cairn_world *world, cairn_body *body, cairn_motion gx,
 /* A further sub-step's velocities. Where no spring is to come first, bodies lean at once. */
 static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
         if (is_met(body)) {
             repeat(world, body, gx, gy);
             if (world->springs == NULL) {
@@ -86,8 +86,8 @@ static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 /* Leave the biased pass, and move by the sub-step. */
 static void advance(cairn_world *world)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
         if (is_met(body)) {
             if (may_lean(body)) {
                 body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
@@ -146,8 +146,8 @@ static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
 /* The first sub-step's velocities. */
 static void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_motion gy)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *body = &world->bodies[i];
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
         if (is_met(body)) {
             cairn_body_start(world, body, gx, gy);
         } else if (cairn_body_is_active(body) && !coast(world, body, f)) {
@@ -159,8 +159,9 @@ static void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_moti
 
 static void forget_meetings(cairn_world *world)
 {
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        world->bodies[i].flags &= (uint16_t)~CAIRN_BODY_MET;
+    const cairn_body *end = world->bodies + world->body_end;
+    for (cairn_body *body = world->bodies; body != end; body++) {
+        body->flags &= (uint16_t)~CAIRN_BODY_MET;
     }
 }
 
