@@ -222,6 +222,7 @@ static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_
         expect_after(world, arbiter);
     }
     cairn_arbiter_prepare(world, arbiter, &manifold);
+    arbiter->path = CAIRN_PATH_FRESH;
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
     bool solved = !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps;
     renew(world, arbiter, cairn_flag_if(solved, CAIRN_ARBITER_SOLVED) | cairn_flag_if(any_penetrates(&manifold), CAIRN_ARBITER_TOUCHING));
@@ -240,6 +241,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     cairn_arbiter *arbiter = find(world, a, b);
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, &world->bodies[a], &world->bodies[b])) {
         bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
+        arbiter->path = CAIRN_PATH_NONE;
         renew(world, arbiter, CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
         return;
     }

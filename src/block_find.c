@@ -23,7 +23,7 @@ static void clear(cairn_world *world)
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         bool was_in_one = cairn_block_of(arbiter) != 0;
-        arbiter->path = (uint8_t)(was_in_one ? CAIRN_PATH_FORMER : CAIRN_PATH_NONE);
+        arbiter->path = (uint8_t)((arbiter->path & CAIRN_PATH_FRESH) | (was_in_one ? CAIRN_PATH_FORMER : CAIRN_PATH_NONE));
         set_number(arbiter, was_in_one && !is_solved(arbiter) ? DISSOLVED : 0); /* what sleeps keeps its past */
     }
 }
@@ -125,7 +125,7 @@ static void leave(const cairn_world *world, cairn_arbiter *arbiter)
     forget_impulses(arbiter);
     cairn_arbiter_take_hold(world, arbiter);
     cairn_arbiter_let_go(arbiter);
-    arbiter->path = CAIRN_PATH_CAREFUL;
+    arbiter->path = CAIRN_PATH_CAREFUL | CAIRN_PATH_FRESH;
 }
 
 /* What was in a block and is no longer does so: its impulses may be anything. */
@@ -136,7 +136,7 @@ static void forget_former(cairn_world *world)
         if (is_solved(arbiter) && cairn_block_of(arbiter) == DISSOLVED) {
             set_number(arbiter, 0);
         }
-        if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && arbiter->path == CAIRN_PATH_FORMER) {
+        if (is_solved(arbiter) && cairn_block_of(arbiter) == 0 && (arbiter->path & CAIRN_PATH_FORMER)) {
             leave(world, arbiter);
         }
     }
@@ -177,7 +177,7 @@ static void compare(cairn_world *world, uint8_t number)
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
             cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
             if (cairn_block_of(arbiter) == number) {
-                same = same && (again || (arbiter->path == CAIRN_PATH_FORMER && arbiter->past.block.mark == mark));
+                same = same && (again || ((arbiter->path & CAIRN_PATH_FORMER) && arbiter->past.block.mark == mark));
                 if (!same && again) {
                     forget_impulses(arbiter);
                     arbiter->past.block.mark = mark;

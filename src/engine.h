@@ -71,8 +71,10 @@ enum {
     CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
     CAIRN_PATH_EVEN,      /* bodies of one mass, each takes half, and no point is apart */
     CAIRN_PATH_SHARED,    /* any bodies, points may be apart */
-    CAIRN_PATH_APART = 8, /* and: no point touched when the step began */
-    CAIRN_PATH_FORMER = 16 /* while blocks are looked for: it was in one */
+    CAIRN_PATH_WAY = 7,
+    CAIRN_PATH_FRESH = 8,  /* and: the rows are not held, but made in this step */
+    CAIRN_PATH_APART = 16, /* and: no point touched when the step began */
+    CAIRN_PATH_FORMER = 32 /* while blocks are looked for: it was in one */
 };
 
 /* The flag if it is to be set. */

@@ -149,6 +149,8 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
  * what the formats can keep straight (DEAD_SPEED) does not move at all.
  */
 #define DEAD_SPEED CAIRN_MOTION(6.0e-8)
+/* Impulses below the last bit of Q4.28 are rounding in double and hold nothing: a body that glides along a wall is in free fall. */
+#define LEAST_PUSH CAIRN_MOTION(3.7e-9)
 
 static void mark_rest(cairn_world *world, const cairn_arbiter *arbiter)
 {
@@ -198,7 +200,7 @@ static void mark_held(cairn_world *world)
             continue;
         }
         world->stats.points = (uint16_t)(world->stats.points + arbiter->count);
-        if (arbiter->rows[0].impulse != 0 || (arbiter->count > 1 && arbiter->rows[1].impulse != 0)) {
+        if (arbiter->rows[0].impulse >= LEAST_PUSH || (arbiter->count > 1 && arbiter->rows[1].impulse >= LEAST_PUSH)) {
             arbiter->flags |= CAIRN_ARBITER_TOUCHING;
             mark_rest(world, arbiter);
         }

@@ -246,12 +246,12 @@ static void solve(cairn_world *world)
         if (k == 0 ? world->bounce != NULL : world->springs != NULL) { /* without impacts nothing has moved yet */
             lean_all(world);
         }
-        cairn_sweep_biased(world);
+        cairn_sweep_biased(world, k);
         if (world->blocks != 0) {
             world->block->biased_pass(world);
         }
         advance(world);
-        cairn_sweep_relax(world);
+        cairn_sweep_relax(world, k);
         if (world->blocks != 0) {
             world->block->relax_pass(world);
         }

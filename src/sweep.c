@@ -130,11 +130,12 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
     b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
 }
 
-/* ---- the passes by path; false if the pair is not calm ---- */
+/* ---- the passes by path, from the first point on or from the last; false if the pair is not calm ---- */
 
-CAIRN_INLINE bool warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
     (void)world;
+    (void)from_last;
     cairn_size size = cairn_size_of(arbiter->friction_impulse);
     for (int i = 0; i < arbiter->count; i++) {
         size = cairn_size_with(size, arbiter->rows[i].impulse);
@@ -153,7 +154,7 @@ CAIRN_INLINE bool warm_start(const cairn_world *world, cairn_body *a, cairn_body
     return true;
 }
 
-CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
     (void)world;
     if (!is_calm(a, b, path)) {
@@ -161,8 +162,12 @@ CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b,
     }
     bool alone = path == CAIRN_PATH_ON_STATIC;
     pair_state pair = load(a, b, alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter);
-    cairn_row *row = arbiter->rows, *end = row + arbiter->count;
-    for (; row != end; row++) {
+    cairn_row *row = arbiter->rows, *last = row + arbiter->count - 1;
+    if (from_last) {
+        row = last;
+        last = arbiter->rows;
+    }
+    for (;; row = last) {
         cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
         cairn_motion gap = row->gap, old = row->impulse, impulse;
         if (path == CAIRN_PATH_SHARED && gap > 0) {
@@ -173,6 +178,9 @@ CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b,
         }
         row->impulse = impulse;
         press(&pair, arbiter, row, impulse - old, path);
+        if (row == last) {
+            break;
+        }
     }
     push_apart(&pair, a, b, arbiter, path);
     return true;
@@ -189,7 +197,7 @@ CAIRN_INLINE cairn_motion rubbed(const cairn_world *world, const cairn_arbiter *
     return impulse;
 }
 
-CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
     if (!is_calm(a, b, path)) {
         return false;
@@ -198,8 +206,12 @@ CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
     cairn_motion x = alone ? b->vx : b->vx - a->vx, y = alone ? b->vy : b->vy - a->vy, pressure = 0;
     pair_state pair = load(a, b, x, y, arbiter);
     cairn_motion across = cairn_motion_along(y, -x, arbiter->normal_x, arbiter->normal_y);
-    cairn_row *row = arbiter->rows, *end = row + arbiter->count;
-    for (; row != end; row++) {
+    cairn_row *row = arbiter->rows, *last = row + arbiter->count - 1;
+    if (from_last) {
+        row = last;
+        last = arbiter->rows;
+    }
+    for (;; row = last) {
         cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
         cairn_motion old = row->impulse, impulse;
         if (path == CAIRN_PATH_SHARED && row->gap > 0) {
@@ -210,6 +222,9 @@ CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
         row->impulse = impulse;
         pressure += impulse;
         press(&pair, arbiter, row, impulse - old, path);
+        if (row == last) {
+            break;
+        }
     }
     cairn_motion impulse = rubbed(world, arbiter, velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path), pressure);
     cairn_motion rub = impulse - arbiter->friction_impulse;
@@ -261,7 +276,8 @@ void cairn_sweep_choose(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        arbiter->path = (uint8_t)path_of(world, arbiter);
+        int path = path_of(world, arbiter);
+        arbiter->path = (uint8_t)(path == CAIRN_PATH_NONE ? CAIRN_PATH_NONE : path | (arbiter->path & CAIRN_PATH_FRESH));
         if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
             world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
             world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
@@ -269,8 +285,13 @@ void cairn_sweep_choose(cairn_world *world)
     }
 }
 
-/* One pass over all contacts, each by its path. */
-#define SWEEP(pass, careful) \
+/*
+ * One pass over all contacts, each by its path. The two points of a contact take turns in coming first, from sub-step to sub-step:
+ * of_pair and of_static say whether the last one does. What comes first takes more of what both are to stop: were it always the same one,
+ * all boxes of a column that settles would begin to turn the same way. Held rows keep their order in the biased pass, where turns would
+ * leave a wide pyramid breathing for ever, and on something static, where they come to rest sooner.
+ */
+#define SWEEP(pass, careful, of_pair, of_static) \
     cairn_body *bodies = world->bodies; \
     cairn_arbiter *arbiters = world->arbiters; \
     const uint16_t *end = world->order + world->arbiter_count; \
@@ -280,32 +301,36 @@ void cairn_sweep_choose(cairn_world *world)
         if (path == CAIRN_PATH_NONE) { \
             continue; \
         } \
+        bool fresh = false; \
         cairn_body *a = &bodies[arbiter->a], *b = &bodies[arbiter->b]; \
-        if (path >= CAIRN_PATH_APART) { \
-            path -= CAIRN_PATH_APART; \
-            if (is_far(a, b, arbiter)) { \
+        if (path >= CAIRN_PATH_FRESH) { \
+            if (path >= CAIRN_PATH_APART && is_far(a, b, arbiter)) { \
                 continue; \
             } \
+            fresh = (path & CAIRN_PATH_FRESH) != 0; \
+            path &= CAIRN_PATH_WAY; \
         } \
-        bool done = path == CAIRN_PATH_EVEN ? pass(world, a, b, arbiter, CAIRN_PATH_EVEN) \
-                  : path == CAIRN_PATH_ON_STATIC ? pass(world, a, b, arbiter, CAIRN_PATH_ON_STATIC) \
-                  : path == CAIRN_PATH_SHARED && pass(world, a, b, arbiter, CAIRN_PATH_SHARED); \
+        bool done = path == CAIRN_PATH_EVEN ? pass(world, a, b, arbiter, CAIRN_PATH_EVEN, of_pair) \
+                  : path == CAIRN_PATH_ON_STATIC ? pass(world, a, b, arbiter, CAIRN_PATH_ON_STATIC, of_static) \
+                  : path == CAIRN_PATH_SHARED && pass(world, a, b, arbiter, CAIRN_PATH_SHARED, of_pair); \
         if (!done) { \
-            careful(world, arbiter); \
+            careful(world, arbiter, arbiter->flags & CAIRN_ARBITER_ON_STATIC ? of_static : of_pair); \
         } \
     }
 
 void cairn_sweep_warm_start(cairn_world *world)
 {
-    SWEEP(warm_start, cairn_careful_warm_start)
+    SWEEP(warm_start, cairn_careful_warm_start, fresh, fresh)
 }
 
-void cairn_sweep_biased(cairn_world *world)
+void cairn_sweep_biased(cairn_world *world, int substep)
 {
-    SWEEP(biased, cairn_careful_biased_pass)
+    const bool odd = (substep & 1) != 0;
+    SWEEP(biased, cairn_careful_biased_pass, fresh && odd, fresh && odd)
 }
 
-void cairn_sweep_relax(cairn_world *world)
+void cairn_sweep_relax(cairn_world *world, int substep)
 {
-    SWEEP(relax, cairn_careful_relax_pass)
+    const bool odd = (substep & 1) != 0;
+    SWEEP(relax, cairn_careful_relax_pass, odd, fresh && odd)
 }

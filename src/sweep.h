@@ -9,15 +9,15 @@
 void cairn_sweep_choose(cairn_world *world);
 /* Apply the impulses of the step before. */
 void cairn_sweep_warm_start(cairn_world *world);
-/* Soft and pushing out, without friction. */
-void cairn_sweep_biased(cairn_world *world);
+/* Soft and pushing out, without friction. In the passes of a sub-step, counted from 0. */
+void cairn_sweep_biased(cairn_world *world, int substep);
 /* Rigid, with friction. */
-void cairn_sweep_relax(cairn_world *world);
+void cairn_sweep_relax(cairn_world *world, int substep);
 
-/* ---- sweep_careful.c: the same of one contact ---- */
-void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter);
-void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter);
-void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter);
+/* ---- sweep_careful.c: the same of one contact, from its first point on or from its last ---- */
+void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last);
+void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last);
+void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last);
 /* The new impulse of a point that was apart when the step began, where the row's velocity is u. */
 cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
 cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);

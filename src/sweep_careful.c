@@ -149,11 +149,11 @@ static void finish(const pair_state *pair, const cairn_arbiter *arbiter, cairn_m
     shift(pair->b, arbiter, pair->push_b, of_b);
 }
 
-void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter)
+void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
     pair_state pair = pair_of(world, arbiter);
     for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
+        cairn_row *row = &arbiter->rows[from_last ? arbiter->count - 1 - i : i];
         cairn_motion impulse = row->impulse;
         row->impulse = 0;
         press(&pair, arbiter, row, impulse);
@@ -161,24 +161,24 @@ void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter)
     finish(&pair, arbiter, arbiter->friction_impulse);
 }
 
-void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter)
+void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
     pair_state pair = pair_of(world, arbiter);
     for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
+        cairn_row *row = &arbiter->rows[from_last ? arbiter->count - 1 - i : i];
         press(&pair, arbiter, row, biased(pair.a, pair.b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
     shift(pair.a, arbiter, -pair.push_a, 0);
     shift(pair.b, arbiter, pair.push_b, 0);
 }
 
-void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter)
+void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
     pair_state pair = pair_of(world, arbiter);
     const cairn_body *a = pair.a, *b = pair.b;
     cairn_motion across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
     for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
+        cairn_row *row = &arbiter->rows[from_last ? arbiter->count - 1 - i : i];
         press(&pair, arbiter, row, relaxed(a, b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
     cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);

@@ -110,6 +110,7 @@ _BOTH = (
     "full-pools",
     "gravity-0-4",
     "gravity-0-16",
+    "gravity-1000-4",
     "gravity-1000-16",
     "rate-15",
     "rate-30",
