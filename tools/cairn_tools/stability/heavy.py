@@ -87,7 +87,15 @@ def slab(bench: Bench, ratio: float, n: int) -> Iterator[Figure]:
     "slab of {ratio:g} on a heap of 18 boxes of 1, n = {n}", over={"ratio": [1e3], "n": [16]}, name="slab", quick=True
 )
 def slab_deeper(bench: Bench, ratio: float, n: int) -> Iterator[Figure]:
-    yield from _stands(*_slab(bench, ratio, n), 0.010)
+    states, depth = _slab(bench, ratio, n)
+    yield most("penetration", depth, 0.010, "m")
+    yield most("moved", moved(states), 0.1, "m")
+
+
+@case("the same comes to rest (stretch)", over={"ratio": [1e3], "n": [16]}, quick=True)
+def slab_calm(bench: Bench, ratio: float, n: int) -> Iterator[Figure]:
+    states, _ = _slab(bench, ratio, n)
+    yield stretch("speed in the last second", fastest(states[-SECOND:]), 1e-3, "m/s")
 
 
 @case(

@@ -98,6 +98,7 @@ _BOTH = (
     "light-on-heavy-10000",
     "light-on-heavy-100000",
     "slab-100-4",
+    "slab-1000-16",
     "drops",
     "impact-circle-0",
     "impact-circle-0.5",
@@ -193,7 +194,6 @@ _BOTH = (
 
 # One of the two arithmetics alone.
 _ONE = (
-    "slab-1000-16:f64",
     "translation-pyramid10:q16",
     "translation-mixed50:q16",
     "translation-circles100:q16",
