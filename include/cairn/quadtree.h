@@ -1,5 +1,5 @@
 /*
- * The bounded quadtree, a broad phase for worlds of more than about a hundred bodies. It is rebuilt every step in memory
+ * The bounded quadtree, a broad phase for worlds of many bodies above one another (docs/SPEED.md). It is rebuilt every step in memory
  * of fixed size. A full pool makes leaves longer; no pair is ever lost, and bodies outside of its bounds still collide.
  */
 #ifndef CAIRN_QUADTREE_H

@@ -1,4 +1,4 @@
-"""How the cost of a step grows with the bodies: a packed pile and a sparse world, by the quadtree and by all pairs."""
+"""How the cost of a step grows with the bodies: a packed pile and a sparse world, by the quadtree and along x."""
 
 from __future__ import annotations
 
@@ -161,7 +161,7 @@ def plot(points: Sequence[Point], core: str, file: Path) -> None:
     figure, panels = plt.subplots(1, len(KINDS), figsize=(10, 4.2), layout="constrained")
     titles = {"pile": "packed pile", "sparse": "sparse world"}
     colours = {"pairs": "#c0504d", "quadtree": "#2f6db3"}
-    names = {"pairs": "all pairs", "quadtree": "quadtree"}
+    names = {"pairs": "along x", "quadtree": "quadtree"}
     for panel, kind in zip(panels, KINDS, strict=True):
         for broad in BROAD_PHASES:
             line = select(points, core, kind, broad)
