@@ -1,7 +1,7 @@
 /*
- * The narrow phase of polygons, in offsets (Q10.22) relative to the first body's centre of mass: the separating-axis
- * test with support points, then the incident edge clipped against the sides of the reference edge
- * (Sutherland and Hodgman).
+ * The narrow phase of polygons, in offsets (Q10.22) in the first body's own frame, so that only the second one's outline
+ * has to be turned: the separating-axis test with support points, then the incident edge clipped against the sides of
+ * the reference edge (Sutherland and Hodgman). The contact found is turned back.
  */
 #include "engine.h"
 
@@ -25,15 +25,27 @@ static cairn_offset support_distance(const cairn_hull *hull, cairn_offset x, cai
     return least;
 }
 
-/* The edge of `of` that separates it most from `from`. */
-static cairn_offset deepest_axis(const cairn_hull *of, const cairn_hull *from, cairn_offset margin, int *edge)
+/*
+ * The edge of `of` that separates it most from `from`, whose centre is at (x, y). No corner of `from` lies farther out than
+ * its centre does, so most edges are told by that one point. Beyond the margin any edge will do.
+ */
+static cairn_offset deepest_axis(const cairn_hull *of, const cairn_hull *from, cairn_offset x, cairn_offset y, cairn_offset margin, int *edge)
 {
+    cairn_offset most_at_best[CAIRN_MAX_VERTICES];
+    int facing = 0;
+    for (int i = 0; i < of->count; i++) {
+        most_at_best[i] = cairn_offset_dot(x - of->vertex[i].x, y - of->vertex[i].y, of->normal[i].x, of->normal[i].y);
+        facing = most_at_best[i] > most_at_best[facing] ? i : facing;
+    }
     cairn_offset most = -CAIRN_OFFSET_MAX;
-    for (int i = 0; i < of->count && most <= margin; i++) {
-        cairn_offset distance = support_distance(from, of->vertex[i].x, of->vertex[i].y, of->normal[i].x, of->normal[i].y);
-        if (distance > most) {
-            most = distance;
-            *edge = i;
+    for (int k = 0; k < of->count && most <= margin; k++) {
+        int i = k == 0 ? facing : k <= facing ? k - 1 : k; /* the one that faces it first */
+        if (most_at_best[i] > most) {
+            cairn_offset distance = support_distance(from, of->vertex[i].x, of->vertex[i].y, of->normal[i].x, of->normal[i].y);
+            if (distance > most) {
+                most = distance;
+                *edge = i;
+            }
         }
     }
     return most;
@@ -118,18 +130,46 @@ static void clip(const cairn_hull *reference, int edge, const cairn_hull *incide
     out->normal_y = swapped ? -ny : ny;
 }
 
+/* b as seen from a's own frame. */
+static cairn_pose seen_from(const cairn_pose *a, const cairn_pose *b)
+{
+    cairn_pose pose;
+    cairn_offset x = b->x - a->x, y = b->y - a->y;
+    pose.shape = b->shape;
+    pose.x = cairn_offset_dot(x, y, a->c, a->s);
+    pose.y = cairn_offset_dot(x, y, -a->s, a->c);
+    pose.c = cairn_unit_dot(a->c, a->s, b->c, b->s);
+    pose.s = cairn_unit_dot(a->c, a->s, b->s, -b->c);
+    return pose;
+}
+
+/* A contact in the frame of a back into the world's. */
+static void turn_back(const cairn_pose *a, cairn_manifold *contact)
+{
+    cairn_unit nx = contact->normal_x, ny = contact->normal_y;
+    contact->normal_x = cairn_unit_dot(nx, ny, a->c, -a->s);
+    contact->normal_y = cairn_unit_dot(nx, ny, a->s, a->c);
+    for (int i = 0; i < contact->count; i++) {
+        cairn_manifold_point *point = &contact->points[i];
+        cairn_offset x = point->x, y = point->y;
+        point->x = a->x + cairn_offset_dot(x, y, a->c, -a->s);
+        point->y = a->y + cairn_offset_dot(x, y, a->s, a->c);
+    }
+}
+
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_hull hull_a, hull_b;
     int edge_a = 0, edge_b = 0;
+    cairn_pose relative = seen_from(a, b);
     out->count = 0;
-    cairn_pose_hull(a, &hull_a);
-    cairn_pose_hull(b, &hull_b);
-    cairn_offset from_a = deepest_axis(&hull_a, &hull_b, margin, &edge_a);
+    a->shape->kind->outline(a->shape, CAIRN_UNIT(1), 0, &hull_a);
+    cairn_pose_hull(&relative, &hull_b);
+    cairn_offset from_a = deepest_axis(&hull_a, &hull_b, relative.x, relative.y, margin, &edge_a);
     if (from_a > margin) {
         return;
     }
-    cairn_offset from_b = deepest_axis(&hull_b, &hull_a, margin, &edge_b);
+    cairn_offset from_b = deepest_axis(&hull_b, &hull_a, 0, 0, margin, &edge_b);
     if (from_b > margin) {
         return;
     }
@@ -139,4 +179,5 @@ void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offs
     } else {
         clip(&hull_a, edge_a, &hull_b, false, margin, out);
     }
+    turn_back(a, out);
 }
