@@ -36,18 +36,25 @@ static void expect_after(cairn_world *world, cairn_arbiter *arbiter)
     world->expected = &arbiter->after;
 }
 
+static cairn_arbiter *search(cairn_world *world, uint16_t a, uint16_t b)
+{
+    uint16_t place = place_of(world, key_of(a, b));
+    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
+    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
+        return NULL;
+    }
+    expect_after(world, arbiter);
+    return arbiter;
+}
+
 static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t slot = *world->expected;
     cairn_arbiter *arbiter = &world->arbiters[slot];
     if (slot == CAIRN_NONE || arbiter->a != a || arbiter->b != b) { /* what is free again is of no body */
-        uint16_t place = place_of(world, key_of(a, b));
-        arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
-        if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
-            return NULL;
-        }
+        return search(world, a, b);
     }
-    expect_after(world, arbiter);
+    world->expected = &arbiter->after;
     return arbiter;
 }
 
