@@ -1,13 +1,9 @@
 /* The narrow phase of a circle with a polygon: the nearest face, or the nearest corner where the centre lies beyond a face's end. */
 #include "engine.h"
 
-/*
- * The contact of a circle (radius r, at the origin) with the polygon's surface in direction (x, y) from the circle, in
- * the polygon's own frame, which is turned by (c, s).
- */
-static void touch(cairn_offset r, cairn_offset separation, cairn_unit x, cairn_unit y, cairn_unit c, cairn_unit s, int feature, cairn_manifold *out)
+/* The contact of a circle (radius r, at the origin) with the polygon's surface in direction (nx, ny) from the circle. */
+static void touch(cairn_offset r, cairn_offset separation, cairn_unit nx, cairn_unit ny, int feature, cairn_manifold *out)
 {
-    cairn_unit nx = cairn_unit_dot(x, y, c, -s), ny = cairn_unit_dot(x, y, s, c);
     cairn_offset middle = r + cairn_offset_half(separation);
     out->normal_x = nx;
     out->normal_y = ny;
@@ -21,15 +17,13 @@ static void touch(cairn_offset r, cairn_offset separation, cairn_unit x, cairn_u
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_hull hull;
-    cairn_unit c = b->c, s = b->s;
     cairn_offset r = cairn_offset_from_real(a->shape->size.x);
-    cairn_offset x = cairn_offset_dot(-b->x, -b->y, c, s), y = cairn_offset_dot(-b->x, -b->y, -s, c); /* the circle's centre */
     cairn_offset most = -CAIRN_OFFSET_MAX;
     int edge = 0;
     out->count = 0;
-    b->shape->kind->outline(b->shape, CAIRN_UNIT(1), 0, &hull);
+    cairn_pose_hull(b, &hull);
     for (int i = 0; i < hull.count; i++) {
-        cairn_offset distance = cairn_offset_dot(x - hull.vertex[i].x, y - hull.vertex[i].y, hull.normal[i].x, hull.normal[i].y);
+        cairn_offset distance = cairn_offset_dot(-hull.vertex[i].x, -hull.vertex[i].y, hull.normal[i].x, hull.normal[i].y);
         if (distance > r + margin) {
             return;
         }
@@ -43,19 +37,19 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
     if (most > 0) {
         /* Outside: beyond one of the ends of the face it is the corner that is nearest. */
         int corner = -1;
-        if (cairn_offset_dot(x - hull.vertex[edge].x, y - hull.vertex[edge].y, -ny, nx) < 0) {
+        if (cairn_offset_dot(-hull.vertex[edge].x, -hull.vertex[edge].y, -ny, nx) < 0) {
             corner = edge;
-        } else if (cairn_offset_dot(x - hull.vertex[next].x, y - hull.vertex[next].y, -ny, nx) > 0) {
+        } else if (cairn_offset_dot(-hull.vertex[next].x, -hull.vertex[next].y, -ny, nx) > 0) {
             corner = next;
         }
         if (corner >= 0) {
             cairn_unit ux, uy;
-            cairn_offset distance = cairn_unit_along(hull.vertex[corner].x - x, hull.vertex[corner].y - y, &ux, &uy);
+            cairn_offset distance = cairn_unit_along(hull.vertex[corner].x, hull.vertex[corner].y, &ux, &uy);
             if (distance <= r + margin) {
-                touch(r, distance - r, ux, uy, c, s, 16 + corner, out);
+                touch(r, distance - r, ux, uy, 16 + corner, out);
             }
             return;
         }
     }
-    touch(r, most - r, -nx, -ny, c, s, edge, out);
+    touch(r, most - r, -nx, -ny, edge, out);
 }
