@@ -50,8 +50,8 @@ static cairn_arbiter *search(cairn_world *world, uint16_t a, uint16_t b)
 static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t slot = *world->expected;
-    cairn_arbiter *arbiter = &world->arbiters[slot];
-    if (slot == CAIRN_NONE || arbiter->a != a || arbiter->b != b) { /* what is free again is of no body */
+    cairn_arbiter *arbiter = slot == CAIRN_NONE ? NULL : &world->arbiters[slot];
+    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) { /* what is free again is of no body */
         return search(world, a, b);
     }
     world->expected = &arbiter->after;
