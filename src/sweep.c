@@ -242,7 +242,8 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
     int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
-    if ((arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+    /* An impact may leave a contact without points: the quick ways take one at least. */
+    if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
     if (first || second) {
