@@ -29,11 +29,11 @@ typedef struct pair_state {
 
 CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path)
 {
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(b->vx), b->vy), b->w);
+    cairn_bulk bulk = cairn_bulk_of(b->vx, CALM) | cairn_bulk_of(b->vy, CALM) | cairn_bulk_of(b->w, CALM);
     if (path != CAIRN_PATH_ON_STATIC) {
-        size = cairn_size_with(cairn_size_with(cairn_size_with(size, a->vx), a->vy), a->w);
+        bulk |= cairn_bulk_of(a->vx, CALM) | cairn_bulk_of(a->vy, CALM) | cairn_bulk_of(a->w, CALM);
     }
-    return cairn_size_is_below(size, CALM);
+    return cairn_bulk_is_within(bulk, CALM);
 }
 
 CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b, cairn_motion x, cairn_motion y, const cairn_arbiter *arbiter)
