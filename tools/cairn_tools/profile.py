@@ -18,7 +18,8 @@ from .scene import Scene
 # The stages of a step, in its order, with the files of src/ that make them. A file's functions that belong to another
 # stage are named on their own.
 STAGES: dict[str, tuple[str, ...]] = {
-    "broad": ("world.c", "broad_pairs.c", "quadtree*", "cairn_bodies_look_ahead", "cairn_bodies_end_search", "set_extents"),
+    "broad": ("world.c", "broad_pairs.c", "quadtree*", "cairn_bodies_look_ahead", "cairn_bodies_end_search",
+              "set_extents"),
     "narrow": ("arbiter.c", "shape_*", "collide_*", "continuous.c", "contact.c"),
     "prepare": ("rows.c",),
     "sub-steps": ("solver_*", "sweep*", "block*", "bounce.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
