@@ -118,6 +118,8 @@ def test_pictures_are_written(tmp_path: Path) -> None:
         (["bench", "--core", "m99"], "m99"),
         (["bench", "--peers", "--substeps", "8"], "--peers"),
         (["bench", "--peers", "--core", "m55"], "not on m55"),
+        (["bench", "--host", "--core", "m0"], "--host"),
+        (["bench", "--rounds", "3"], "--host"),
         (["bench", "--core", "rp2040"], "rp2040"),
         (["bench", "--cycles", "--core", "m7"], "no estimate"),
         (["bench", "--growth", "--scene", "tower"], "--growth"),

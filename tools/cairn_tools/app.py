@@ -26,6 +26,7 @@ from . import compare as compare_module
 from . import cycles as cycles_module
 from . import golden as golden_module
 from . import growth as growth_module
+from . import host_bench as host_module
 from . import kept as kept_module
 from . import peers as peers_module
 from . import profile as profile_module
@@ -189,6 +190,8 @@ def bench(
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
     peers: Annotated[bool, typer.Option("--peers", help="Beside Chipmunk and Box2D; fetches their sources.")] = False,
+    host: Annotated[bool, typer.Option("--host", help="Time on the host; installs both' libraries.")] = False,
+    rounds: Annotated[int | None, typer.Option(min=1, max=100, help="With --host: runs of each engine.")] = None,
     markdown: Annotated[bool, typer.Option("--markdown", help="Print the tables as docs/SPEED.md has them.")] = False,
     as_json: JsonOption = False,
 ) -> None:
@@ -196,6 +199,12 @@ def bench(
     show = bench_tables.print_markdown if markdown else out.print
     if keep or check:
         _bench_record(keep)
+        return
+    if host or rounds:
+        others = (core, scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers)
+        if not host or any(others):
+            raise UserError("--host takes --rounds, --markdown and --json only, and --rounds goes with --host")
+        _bench_host(rounds or host_module.ROUNDS, as_json, show)
         return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     if peers:
@@ -258,6 +267,25 @@ def _bench_peers(scenes: list[scene.Scene], cores: list[str], as_json: bool, sho
         for name, settings in peers_module.settings(versions).items():
             print(f"- {name}: {settings}")
     if not all(cost.stands for row in rows for cost in row):
+        raise typer.Exit(1)
+
+
+def _bench_host(rounds: int, as_json: bool, show: Show) -> None:
+    """Times all engines; exit code 1 if one does not stand."""
+    times: list[host_module.Time] = []
+    with _working("bench --host") as say:
+        versions = host_module.fetch()
+        for name in host_module.SCENES:
+            times += host_module.measure(host_module.load(name), versions, rounds, say)
+    settings = host_module.settings(versions)
+    if as_json:
+        record = {"settings": settings, "rounds": rounds, "times": [asdict(time) for time in times]}
+        print(json.dumps(record, indent=2))
+    else:
+        show(bench_tables.host_table(times))
+        for name, text in settings.items():
+            print(f"- {name}: {text}")
+    if not all(time.stands for time in times):
         raise typer.Exit(1)
 
 

@@ -1,4 +1,4 @@
-"""What `bench --cycles`, `bench --growth` and `bench --peers` print."""
+"""What `bench --cycles`, `--growth`, `--peers` and `--host` print."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from rich import box
 from rich.table import Table
 
-from . import cycles, growth, peers
+from . import cycles, growth, host_bench, peers
 
 
 def print_markdown(table: Table) -> None:
@@ -163,6 +163,27 @@ def peer_tables(rows: list[list[peers.Cost]]) -> list[Table]:
                      for sizes in ([c.flash_bytes for c in row], [c.ram_bytes for c in row])]  # fmt: skip
         memory.add_row(row[0].scene, row[0].core, *kilobytes, " ".join(str(cost.stack_bytes) for cost in row))
     return [speed, memory]
+
+
+def host_table(times: list[host_bench.Time]) -> Table:
+    """A row is an engine in a scene."""
+    caption = (
+        "steps 121-240, from the start 1-240, each step's median over the rounds; rounds: their means, and against "
+        "Cairn's in the same one; farthest move of a body; overlap of two balls in their diameter"
+    )
+    grid = Table(title="Microseconds a step on the host", caption=caption, box=box.SIMPLE, pad_edge=False)
+    for column in ("scene", "engine"):
+        grid.add_column(column, no_wrap=True)
+    for column in ("us", "rounds", "times", "rounds", "from the start", "times", "farthest, m", "overlap"):
+        grid.add_column(column, justify="right", no_wrap=True)
+    for time in times:
+        spread = f"{time.fastest_round:,.0f}-{time.slowest_round:,.0f}"
+        ratios = "-" if time.engine == "cairn" else f"{time.lowest_times:.2f}-{time.highest_times:.2f}"
+        whole = (f"{time.from_start_microseconds:,.0f}", f"{time.from_start_times_cairn:.2f}")
+        move = f"{time.farthest_move:.2f}{'' if time.stands else ' FELL'}"
+        grid.add_row(time.scene, time.engine, f"{time.microseconds:,.0f}", spread, f"{time.times_cairn:.2f}", ratios,
+                     *whole, move, f"{100 * time.overlap:.0f} %" if time.overlap else "-")  # fmt: skip
+    return grid
 
 
 def _of_scenes(title: str, caption: str) -> Table:

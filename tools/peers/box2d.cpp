@@ -86,19 +86,9 @@ void make_spring(const peer_spring &entry)
 
 } // namespace
 
-// The start-up of the ports is for C: it runs no constructors. init.ld lists them.
-extern "C" {
-extern void (*const peer_constructors_begin[])(void);
-extern void (*const peer_constructors_end[])(void);
-// What a destructor of a global object is registered for; the image never runs one.
-void *__dso_handle;
-}
-
 bool peer_build(void)
 {
-    for (auto constructor = peer_constructors_begin; constructor != peer_constructors_end; constructor++) {
-        (*constructor)();
-    }
+    peer_construct();
     world = new (world_memory) b2World(vect(peer_the_scene.gravity));
     world->SetAllowSleeping(false);
     for (int i = 0; i < peer_the_scene.body_count; i++) {

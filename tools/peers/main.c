@@ -2,7 +2,7 @@
  * Runs the scene on the linked engine for as many steps as the image's one argument says, and prints:
  *
  *   start X Y          of each body, in 2^-16 m, in the order of the scene
- *   cost UNITS         of peer_step() alone, by the port's clock, once a step
+ *   cost UNITS         of peer_step() alone, by peer_clock(), once a step
  *   end X Y            of each body
  *   heap BYTES         the most ever taken
  *   stack BYTES        likewise
@@ -54,13 +54,13 @@ static int run(uint32_t steps)
         return 1;
     }
     print_places("start");
-    const uint32_t before = cairn_port_clock();
-    const uint32_t clock_cost = cairn_port_clock() - before;
+    const uint32_t before = peer_clock();
+    const uint32_t clock_cost = peer_clock() - before;
     uint32_t spare = peer_spare();
     for (uint32_t i = 0; i < steps; i++) {
-        const uint32_t start = cairn_port_clock();
+        const uint32_t start = peer_clock();
         peer_step();
-        const uint32_t cost = cairn_port_clock() - start - clock_cost;
+        const uint32_t cost = peer_clock() - start - clock_cost;
         print_line("cost", cost);
         if (peer_spare() < spare) {
             spare = peer_spare();

@@ -4,6 +4,8 @@
  */
 #include "peer.h"
 
+#include "cairn_port.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,6 +34,7 @@ void *_sbrk(ptrdiff_t bytes)
 }
 
 uint32_t peer_heap_used(void) { return (uint32_t)most; }
+uint32_t peer_clock(void) { return cairn_port_clock(); }
 
 int vfprintf(FILE *file, const char *format, va_list arguments)
 {

@@ -79,10 +79,14 @@ peer_place peer_body_place(int body);
 /* Bytes of the engine's fixed memory that the last step did without; 0 where memory comes from the heap. */
 uint32_t peer_spare(void);
 
-/* ---- the heap, in newlib.c ---- */
+/* ---- what lies under an engine: newlib.c and constructors.c on a board, host/host.c on the host ---- */
 
-/* The most bytes that malloc() ever took. */
+/* The most bytes that malloc() ever took; 0 where it is not counted. */
 uint32_t peer_heap_used(void);
+/* What steps are timed by: on a board its own clock, on the host nanoseconds of the program's own time. */
+uint32_t peer_clock(void);
+/* Runs the constructors of C++ where the start files do not. */
+void peer_construct(void);
 
 #ifdef __cplusplus
 }
