@@ -28,6 +28,7 @@ set(CAIRN_SOURCES
     src/shape_circle.c
     src/shape_polygon.c
     src/sleep.c
+    src/slide.c
     src/solver_slides.c
     src/hold.c
     src/solver_soft.c

@@ -27,6 +27,11 @@
 /* The gap of a pair that touched and was thrown apart within the step: above zero, so that its separation counts. */
 #define JUST_APART CAIRN_MOTION(4e-9)
 
+/* The sum of a pair's impulses as the warm start repeats them: on b, and the turning of each. */
+typedef struct repeated {
+    cairn_motion x, y, turn_a, turn_b;
+} repeated;
+
 typedef struct impact {
     cairn_arbiter *arbiter;
     cairn_body *a, *b;
@@ -37,7 +42,10 @@ typedef struct impact {
     cairn_motion closing[2]; /* speed at the moment of the impact; 0: this point does not take part */
     cairn_motion px, py;     /* sum of the impulses on b */
     cairn_motion depth;      /* of the point that hits, at that moment */
+    cairn_offset x, y;       /* how far b had moved to a in this step when the rows were looked at */
     cairn_unit time;         /* in sub-steps from this one's start; may lie a little beyond its end */
+    bool adopted;            /* the rows were made within the step, by a look ahead or by the impact itself; those before held: */
+    repeated before;
     int substep;
 } impact;
 
@@ -79,42 +87,67 @@ static cairn_motion pull(const impact *i) { return -cairn_motion_along(i->gx, i-
 
 /* ---- what the sweeps hold of the pair ---- */
 
-/* Between sub-steps velocity changes are repeated, v + (v - u): take an impulse of the last one out of that. */
-static void unrepeat(const impact *i, cairn_body *body, cairn_motion impulse, cairn_dir nx, cairn_dir ny, cairn_lever j)
+/* What the impulses that the rows hold do to the two. */
+static repeated repeated_of(const impact *i)
 {
-    if (i->substep == 0 || !cairn_body_is_dynamic(body)) { /* the warm start reads the rows themselves */
-        return;
+    const cairn_arbiter *arbiter = i->arbiter;
+    cairn_motion rub = arbiter->friction_impulse, of_a = cairn_motion_share(rub, arbiter->share_a);
+    repeated sum = { 0, 0, 0, 0 };
+    if (rub != 0) {
+        sum.x = -cairn_motion_dir(rub, arbiter->normal_y);
+        sum.y = cairn_motion_dir(rub, arbiter->normal_x);
+        sum.turn_a = cairn_motion_lever(of_a, arbiter->friction_lever_a);
+        sum.turn_b = cairn_motion_lever(rub - of_a, arbiter->friction_lever_b);
     }
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
-        body->ux += cairn_motion_dir(impulse, nx);
-        body->uy += cairn_motion_dir(impulse, ny);
+    for (int k = 0; k < arbiter->count; k++) {
+        const cairn_row *row = &arbiter->rows[k];
+        if (row->impulse != 0) {
+            of_a = cairn_motion_share(row->impulse, arbiter->share_a);
+            sum.x += cairn_motion_dir(row->impulse, arbiter->normal_x);
+            sum.y += cairn_motion_dir(row->impulse, arbiter->normal_y);
+            sum.turn_a = cairn_motion_add(sum.turn_a, cairn_motion_lever(of_a, row->lever_a));
+            sum.turn_b = cairn_motion_add(sum.turn_b, cairn_motion_lever(row->impulse - of_a, row->lever_b));
+        }
     }
-    body->uw += cairn_motion_lever(impulse, j);
+    return sum;
 }
 
-static void forget_impulse(const impact *i, cairn_motion *impulse, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
+/* Adds to what is repeated, v - u, of a body. */
+static void repeat(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
-    unrepeat(i, i->a, -cairn_motion_share(*impulse, i->arbiter->share_a), nx, ny, ja);
-    unrepeat(i, i->b, cairn_motion_share(*impulse, cairn_arbiter_share_b(i->arbiter)), nx, ny, jb);
-    *impulse = 0;
+    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+        body->ux = cairn_motion_add(body->ux, -x);
+        body->uy = cairn_motion_add(body->uy, -y);
+    }
+    body->uw = cairn_motion_add(body->uw, -turn);
+}
+
+/* Between sub-steps velocity changes are repeated, v + (v - u), and with them the rows' impulses: have that follow a change of these. */
+static void repeat_anew(const impact *i, const repeated *before)
+{
+    if (i->substep == 0 || cairn_arbiter_is_sliding(i->arbiter)) { /* the warm start reads the rows themselves */
+        return;
+    }
+    repeated now = repeated_of(i);
+    cairn_motion x = cairn_motion_add(now.x, -before->x), y = cairn_motion_add(now.y, -before->y);
+    cairn_motion ax = cairn_motion_share(x, i->arbiter->share_a), ay = cairn_motion_share(y, i->arbiter->share_a);
+    if (i->arbiter->share_a != 0) {
+        repeat(i->a, -ax, -ay, cairn_motion_add(before->turn_a, -now.turn_a));
+    }
+    repeat(i->b, x - ax, y - ay, cairn_motion_add(now.turn_b, -before->turn_b));
 }
 
 /* An impact ends a contact: what held it until then is not to be repeated. */
 static void forget_row(const impact *i, cairn_row *row)
 {
-    if (row->impulse != 0) {
-        forget_impulse(i, &row->impulse, i->arbiter->normal_x, i->arbiter->normal_y, row->lever_a, row->lever_b);
+    if (row->impulse == 0) {
+        return;
     }
-}
-
-static void forget(const impact *i)
-{
-    cairn_arbiter *arbiter = i->arbiter;
-    for (int k = 0; k < arbiter->count; k++) {
-        forget_row(i, &arbiter->rows[k]);
+    repeated before = repeated_of(i);
+    row->impulse = 0;
+    if (!i->adopted) {
+        repeat_anew(i, &before);
     }
-    forget_impulse(i, &arbiter->friction_impulse, cairn_dir_negate(arbiter->normal_y), arbiter->normal_x, arbiter->friction_lever_a,
-                   arbiter->friction_lever_b);
 }
 
 /* ---- when and where ---- */
@@ -187,29 +220,26 @@ static void contact_after(const impact *i, const course *c, cairn_manifold *out)
     cairn_poses_collide(&a, &b, SIGHT, out);
 }
 
-/* Makes the contact after a course the pair's rows. */
+/* Makes the contact after a course the pair's rows. The impulses of points that persist act along these from now on. */
 static void adopt(cairn_world *world, impact *i, const course *c, const cairn_manifold *contact)
 {
     cairn_arbiter *arbiter = i->arbiter;
-    bool persists = false;
-    for (int k = 0; k < arbiter->count; k++) {
-        bool found = false;
-        for (int j = 0; j < contact->count; j++) {
-            found = found || arbiter->rows[k].feature == contact->points[j].feature;
-        }
-        if (!found) {
-            forget_row(i, &arbiter->rows[k]);
-        }
-        persists = persists || found;
-    }
-    if (!persists) {
-        forget(i);
+    if (!i->adopted) {
+        i->adopted = true;
+        i->before = repeated_of(i);
     }
     if (contact->count == 0) { /* they pass by one another */
         arbiter->count = 0;
+        arbiter->friction_impulse = 0;
         return;
     }
+    uint8_t path = arbiter->path;
     cairn_arbiter_prepare(world, arbiter, contact);
+    if (i->substep != 0) {
+        arbiter->path = path; /* whether its impulses are repeated with the bodies' changes does not alter within a step */
+    }
+    i->x = c->x;
+    i->y = c->y;
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
         cairn_motion separation = cairn_motion_from_offset(contact->points[k].separation);
@@ -506,6 +536,8 @@ static impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, int su
     i.a = &world->bodies[arbiter->a];
     i.b = &world->bodies[arbiter->b];
     i.px = i.py = 0;
+    i.x = i.y = 0;
+    i.adopted = false;
     i.substep = substep;
     mix(&i, world);
     weigh(&i, world);
@@ -563,31 +595,51 @@ static void exchange(const cairn_world *world, impact *i)
     }
 }
 
+/* The impact, and what follows from it. */
+static void rebound(cairn_world *world, impact *i)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    velocity a = velocity_of(i->a), b = velocity_of(i->b);
+    i->norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
+    exchange(world, i);
+    sum_up(i->a, a, -i->px, -i->py, arbiter->share_a);
+    sum_up(i->b, b, i->px, i->py, cairn_arbiter_share_b(arbiter));
+    settle(world, i->a, a, i->time, i->substep);
+    settle(world, i->b, b, i->time, i->substep);
+    part(world, i);
+    hasten(world, i->a);
+    hasten(world, i->b);
+    arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+}
+
+/* Hands rows that were made within the step to the sweeps: their levers are those of another moment than the displacements, see slide.c. */
+static void hand_back(impact *i)
+{
+    cairn_body *a = i->a, *b = i->b;
+    if (cairn_arbiter_may_slide(a, b)) {
+        cairn_arbiter_slide(a, b, i->arbiter, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx) - i->x,
+                            cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy) - i->y);
+    }
+    repeat_anew(i, &i->before);
+}
+
+/* Looks for an impact of the two in this sub-step, and solves it; true if there is one, or will be after another one. */
 static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, bool waits)
 {
     impact i = impact_of(world, arbiter, substep);
+    bool hits = false;
     refresh(world, &i);
-    if (!foresee(&i)) {
-        return false;
+    if (foresee(&i)) {
+        bool first = !waits || !is_forestalled(world, &i);
+        hits = !first || meet(world, &i);
+        if (first && hits) {
+            rebound(world, &i);
+        }
     }
-    if (waits && is_forestalled(world, &i)) {
-        return true;
+    if (i.adopted) {
+        hand_back(&i);
     }
-    if (!meet(world, &i)) {
-        return false;
-    }
-    velocity a = velocity_of(i.a), b = velocity_of(i.b);
-    i.norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
-    exchange(world, &i);
-    sum_up(i.a, a, -i.px, -i.py, arbiter->share_a);
-    sum_up(i.b, b, i.px, i.py, cairn_arbiter_share_b(arbiter));
-    settle(world, i.a, a, i.time, substep);
-    settle(world, i.b, b, i.time, substep);
-    part(world, &i);
-    hasten(world, i.a);
-    hasten(world, i.b);
-    arbiter->flags |= CAIRN_ARBITER_TOUCHING;
-    return true;
+    return hits;
 }
 
 static void impact_phase(cairn_world *world, int substep)

@@ -68,6 +68,7 @@ enum {
 enum {
     CAIRN_PATH_NONE,
     CAIRN_PATH_CAREFUL,   /* anything */
+    CAIRN_PATH_SLIDING,   /* anything, and levers follow the motion: see slide.c */
     CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
     CAIRN_PATH_EVEN,      /* bodies of one mass, each takes half, and no point is apart */
     CAIRN_PATH_SHARED,    /* any bodies, points may be apart */
@@ -76,6 +77,8 @@ enum {
     CAIRN_PATH_APART = 16, /* and: no point touched when the step began */
     CAIRN_PATH_FORMER = 32 /* while blocks are looked for: it was in one */
 };
+
+static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; }
 
 /* The flag if it is to be set. */
 static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
@@ -303,8 +306,25 @@ void cairn_arbiter_doubt(cairn_arbiter *arbiter);
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
 
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
+/* The lever of an arm; 0 where the body cannot turn. */
+cairn_lever cairn_body_lever(const cairn_body *body, cairn_offset arm);
 /* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
+
+/* ---- slide.c: levers follow bodies that slide past one another ---- */
+/* What moves by less to one another, m a sub-step, hardly slides: below 1 m/s at 4 sub-steps. */
+#define CAIRN_SLIDES CAIRN_MOTION(0.004)
+/* Are both free to move, and is one no circle? */
+bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b);
+/* Do such two slide so fast that it matters, and yet not past one another at once? */
+bool cairn_arbiter_slides_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter);
+static inline bool cairn_arbiter_slides(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+{
+    cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
+    return !cairn_size_is_below(size, CAIRN_SLIDES) && cairn_arbiter_slides_fast(a, b, arbiter);
+}
+/* After b has moved by (x, y) to a. */
+void cairn_arbiter_slide(const cairn_body *a, const cairn_body *b, cairn_arbiter *arbiter, cairn_offset x, cairn_offset y);
 
 /* How far two points have come apart in this step along a direction, with the levers that belong to it. */
 static inline cairn_motion cairn_displacement_along(const cairn_body *a, const cairn_body *b, cairn_dir x, cairn_dir y, cairn_lever ja, cairn_lever jb)

@@ -20,7 +20,7 @@ static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor lin
     return mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
 }
 
-static cairn_lever lever(const cairn_body *body, cairn_offset arm)
+cairn_lever cairn_body_lever(const cairn_body *body, cairn_offset arm)
 {
     bool turns = cairn_body_can_turn(body);
     return turns ? cairn_lever_of(arm, cairn_body_inverse_gyration(body)) : 0;
@@ -93,6 +93,12 @@ static cairn_offset way_until(const cairn_world *world, const cairn_body *a, con
     return u < 0 ? cairn_offset_mul(cairn_offset_from_motion(-u) * world->substeps, time) : 0;
 }
 
+/* A way at this speed from the step's start until then. */
+static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit time)
+{
+    return cairn_offset_mul(cairn_offset_from_motion(v) * world->substeps, time);
+}
+
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
@@ -113,16 +119,23 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
         cairn_offset here = cairn_offset_dot(point->x, point->y, nx, ny);
         height = i == 0 ? here : height + cairn_offset_half(here - height);
         apart = i == 0 || point->separation < apart ? point->separation : apart;
-        row->lever_a = lever(a, -arm);
-        row->lever_b = lever(b, b_arm - arm);
+        row->lever_a = cairn_body_lever(a, -arm);
+        row->lever_b = cairn_body_lever(b, b_arm - arm);
         row->gap = gap_of(world, point->separation + way_until(world, a, b, arbiter, row, manifold->time));
         row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
     }
     /* Friction acts where the surfaces meet: each body's own, as long as they are apart. */
     cairn_offset to_surface = apart > 0 ? cairn_offset_half(apart) : 0;
-    arbiter->friction_lever_a = lever(a, height - to_surface);
-    arbiter->friction_lever_b = lever(b, height + to_surface - b_height);
+    arbiter->friction_lever_a = cairn_body_lever(a, height - to_surface);
+    arbiter->friction_lever_b = cairn_body_lever(b, height + to_surface - b_height);
     arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    arbiter->path &= CAIRN_PATH_FRESH;
+    if (cairn_arbiter_slides(a, b, arbiter)) {
+        arbiter->path |= CAIRN_PATH_SLIDING;
+        if (manifold->time != 0) {
+            cairn_arbiter_slide(a, b, arbiter, -until(b->vx - a->vx, world, manifold->time), -until(b->vy - a->vy, world, manifold->time));
+        }
+    }
     mark_careful(arbiter, a, b);
     cairn_arbiter_take_hold(world, arbiter);
 }

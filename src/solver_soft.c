@@ -189,6 +189,19 @@ static bool repeats_too_fast(const cairn_world *world, const cairn_body *body)
     return x != cairn_motion_clamp(x, limit) || y != cairn_motion_clamp(y, limit) || w != cairn_motion_clamp(w, world->spin_limit);
 }
 
+/* Whether an impulse of this size, with its friction and by levers of up to 2.83, cannot lead beyond it. */
+static bool has_room_for(const cairn_world *world, const cairn_body *body, cairn_motion impulse)
+{
+    cairn_motion twice = cairn_motion_add(impulse, impulse), room = world->speed_limit - cairn_motion_add(twice, twice);
+    return room > 0 && body->vx <= room && -body->vx <= room && body->vy <= room && -body->vy <= room && body->w <= room && -body->w <= room;
+}
+
+static void drop(cairn_arbiter *arbiter)
+{
+    arbiter->rows[0].impulse = arbiter->rows[1].impulse = arbiter->friction_impulse = 0;
+    arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+}
+
 /*
  * An impulse that stopped something in flight need not be repeated, and the passes take it back; but not where one of two opposite
  * changes is cut by the limit of speed.
@@ -196,14 +209,21 @@ static bool repeats_too_fast(const cairn_world *world, const cairn_body *body)
 static void land(const cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_row *rows = arbiter->rows;
+    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     bool flew = cairn_row_came_flying(&rows[0]) && (arbiter->count < 2 || cairn_row_came_flying(&rows[1]));
-    bool presses = rows[0].impulse != 0 || (arbiter->count > 1 && rows[1].impulse != 0);
-    if (flew && presses && (repeats_too_fast(world, &world->bodies[arbiter->a]) || repeats_too_fast(world, &world->bodies[arbiter->b]))) {
+    cairn_motion pressure = rows[0].impulse + (arbiter->count > 1 ? rows[1].impulse : 0);
+    if (!flew || pressure == 0) {
+        return;
+    }
+    if (cairn_arbiter_is_sliding(arbiter)) {
+        if (!has_room_for(world, a, pressure) || !has_room_for(world, b, pressure)) {
+            drop(arbiter);
+        }
+    } else if (repeats_too_fast(world, a) || repeats_too_fast(world, b)) {
         cairn_lever lever_a[2] = { rows[0].lever_a, rows[1].lever_a }, lever_b[2] = { rows[0].lever_b, rows[1].lever_b };
-        forget(&world->bodies[arbiter->a], arbiter, -arbiter->share_a, lever_a, arbiter->friction_lever_a);
-        forget(&world->bodies[arbiter->b], arbiter, cairn_arbiter_share_b(arbiter), lever_b, arbiter->friction_lever_b);
-        rows[0].impulse = rows[1].impulse = arbiter->friction_impulse = 0;
-        arbiter->flags |= CAIRN_ARBITER_TOUCHING;
+        forget(a, arbiter, -arbiter->share_a, lever_a, arbiter->friction_lever_a);
+        forget(b, arbiter, cairn_arbiter_share_b(arbiter), lever_b, arbiter->friction_lever_b);
+        drop(arbiter);
     }
 }
 
@@ -211,6 +231,7 @@ static void solve(cairn_world *world)
 {
     cairn_motion last_gx = 0, last_gy = 0;
     const fall f = fall_of(world);
+    bool slides = false;
     if (world->springs != NULL) {
         world->springs->kind->prepare(world);
     }
@@ -223,7 +244,7 @@ static void solve(cairn_world *world)
         }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
-            cairn_sweep_choose(world);
+            slides = cairn_sweep_choose(world);
             start(world, &f, gx, gy);
             cairn_sweep_warm_start(world);
             if (world->blocks != 0) {
@@ -231,12 +252,15 @@ static void solve(cairn_world *world)
             }
         } else {
             if (world->bounce != NULL) {
-                cairn_sweep_choose(world); /* impacts make rows anew */
+                slides = cairn_sweep_choose(world); /* impacts make rows anew */
             }
             if (world->fast != 0) {
                 for_each_solved(world, land);
             }
             repeat_all(world, gx - last_gx, gy - last_gy);
+            if (slides) {
+                cairn_sweep_push_sliding(world);
+            }
         }
         last_gx = gx;
         last_gy = gy;
@@ -251,6 +275,9 @@ static void solve(cairn_world *world)
             world->block->biased_pass(world);
         }
         advance(world);
+        if (slides) {
+            cairn_sweep_slide(world);
+        }
         cairn_sweep_relax(world, k);
         if (world->blocks != 0) {
             world->block->relax_pass(world);

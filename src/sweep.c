@@ -242,6 +242,9 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
     int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
+    if (cairn_arbiter_is_sliding(arbiter)) {
+        return CAIRN_PATH_SLIDING + apart;
+    }
     /* An impact may leave a contact without points: the quick ways take one at least. */
     if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
@@ -273,8 +276,9 @@ static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter
     return cairn_size_is_far_below(size_of_motion(a), gap) && cairn_size_is_far_below(size_of_motion(b), gap);
 }
 
-void cairn_sweep_choose(cairn_world *world)
+bool cairn_sweep_choose(cairn_world *world)
 {
+    bool any_slides = false;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         int path = path_of(world, arbiter);
@@ -283,7 +287,9 @@ void cairn_sweep_choose(cairn_world *world)
             world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
             world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
         }
+        any_slides = any_slides || cairn_arbiter_is_sliding(arbiter);
     }
+    return any_slides;
 }
 
 /*

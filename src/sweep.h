@@ -5,14 +5,19 @@
 #include "engine.h"
 
 /* ---- sweep.c ---- */
-/* Choose each contact's way: once a step, and again where contacts have changed within one. */
-void cairn_sweep_choose(cairn_world *world);
+/* Choose each contact's way: once a step, and again where contacts have changed within one. True if any slides. */
+bool cairn_sweep_choose(cairn_world *world);
 /* Apply the impulses of the step before. */
 void cairn_sweep_warm_start(cairn_world *world);
 /* Soft and pushing out, without friction. In the passes of a sub-step, counted from 0. */
 void cairn_sweep_biased(cairn_world *world, int substep);
 /* Rigid, with friction. */
 void cairn_sweep_relax(cairn_world *world, int substep);
+
+/* Apply the impulses of the sub-step before to what slides: those are not repeated with the bodies' changes. */
+void cairn_sweep_push_sliding(cairn_world *world);
+/* After the bodies have moved by a sub-step: the levers of what slides. See slide.c. */
+void cairn_sweep_slide(cairn_world *world);
 
 /* ---- sweep_careful.c: the same of one contact, from its first point on or from its last ---- */
 void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last);

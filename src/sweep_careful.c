@@ -111,9 +111,13 @@ static cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_
     return linear + cairn_motion_lever(pair->b->w, jb) - cairn_motion_lever(pair->a->w, ja);
 }
 
-static void turn(cairn_body *body, cairn_motion impulse, cairn_lever j)
+static void turn(cairn_body *body, cairn_motion impulse, cairn_lever j, const cairn_arbiter *arbiter)
 {
-    body->w = cairn_motion_clamp(body->w + cairn_motion_lever(impulse, j), CAIRN_SWEEP_SPIN);
+    cairn_motion before = body->w;
+    body->w = cairn_motion_clamp(before + cairn_motion_lever(impulse, j), CAIRN_SWEEP_SPIN);
+    if (cairn_arbiter_is_sliding(arbiter)) {
+        body->uw = cairn_motion_add(body->uw, body->w - before);
+    }
 }
 
 /* Give a row an impulse; a body of fixed position takes only its turning part. */
@@ -122,8 +126,8 @@ static void press(pair_state *pair, const cairn_arbiter *arbiter, cairn_row *row
     cairn_motion change = impulse - row->impulse;
     cairn_motion of_a = cairn_motion_share(change, arbiter->share_a), of_b = change - of_a;
     row->impulse = impulse;
-    turn(pair->a, -of_a, row->lever_a);
-    turn(pair->b, of_b, row->lever_b);
+    turn(pair->a, -of_a, row->lever_a, arbiter);
+    turn(pair->b, of_b, row->lever_b, arbiter);
     of_a = pair->a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_a;
     of_b = pair->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_b;
     pair->linear += of_a + of_b;
@@ -139,14 +143,38 @@ static void shift(cairn_body *body, const cairn_arbiter *arbiter, cairn_motion p
     }
 }
 
+/* A share of a change of the velocity to one another: of what slides, which has one point or two, with what is cut off carried. */
+static void shift_sliding(cairn_body *body, cairn_share share, cairn_motion x, cairn_motion y)
+{
+    cairn_motion before_x = body->vx, before_y = body->vy;
+    body->vx = cairn_motion_clamp(before_x + cairn_motion_share_carried(x, share, &body->vx_carry), CAIRN_SWEEP_SPEED);
+    body->vy = cairn_motion_clamp(before_y + cairn_motion_share_carried(y, share, &body->vy_carry), CAIRN_SWEEP_SPEED);
+    body->ux = cairn_motion_add(body->ux, body->vx - before_x);
+    body->uy = cairn_motion_add(body->uy, body->vy - before_y);
+}
+
+/* The linear parts of all impulses of a pass. */
+static void shift_pair(const pair_state *pair, const cairn_arbiter *arbiter, cairn_motion rub_a, cairn_motion rub_b)
+{
+    if (cairn_arbiter_is_sliding(arbiter)) {
+        cairn_motion push = pair->push_a + pair->push_b, rub = rub_a + rub_b;
+        cairn_motion x = cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y);
+        cairn_motion y = cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y);
+        shift_sliding(pair->a, arbiter->share_a, -x, -y);
+        shift_sliding(pair->b, CAIRN_SHARE(1) - arbiter->share_a, x, y);
+    } else {
+        shift(pair->a, arbiter, -pair->push_a, -rub_a);
+        shift(pair->b, arbiter, pair->push_b, rub_b);
+    }
+}
+
 /* Give the friction row an impulse, and the bodies their linear parts of all. */
 static void finish(const pair_state *pair, const cairn_arbiter *arbiter, cairn_motion rub)
 {
     cairn_motion of_a = cairn_motion_share(rub, arbiter->share_a), of_b = rub - of_a;
-    turn(pair->a, -of_a, arbiter->friction_lever_a);
-    turn(pair->b, of_b, arbiter->friction_lever_b);
-    shift(pair->a, arbiter, -pair->push_a, -of_a);
-    shift(pair->b, arbiter, pair->push_b, of_b);
+    turn(pair->a, -of_a, arbiter->friction_lever_a, arbiter);
+    turn(pair->b, of_b, arbiter->friction_lever_b, arbiter);
+    shift_pair(pair, arbiter, of_a, of_b);
 }
 
 void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
@@ -168,8 +196,7 @@ void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter,
         cairn_row *row = &arbiter->rows[from_last ? arbiter->count - 1 - i : i];
         press(&pair, arbiter, row, biased(pair.a, pair.b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
-    shift(pair.a, arbiter, -pair.push_a, 0);
-    shift(pair.b, arbiter, pair.push_b, 0);
+    shift_pair(&pair, arbiter, 0, 0);
 }
 
 void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)

@@ -99,6 +99,7 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
 {
     return cairn_clamp(arm * inverse_gyration, CAIRN_LEVER_MAX);
 }
+static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return cairn_clamp(j + k, CAIRN_LEVER_MAX); }
 
 static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
 {

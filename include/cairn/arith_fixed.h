@@ -255,6 +255,8 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
     scaled = (int32_t)((uint32_t)(arm >> 16) * m + (((uint32_t)arm & 0xFFFFu) * m >> 16));
     return (cairn_lever)cairn_clamp(((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1, CAIRN_LEVER_MAX);
 }
+/* The sum of two, cut to the bound that a lever has. */
+static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return (cairn_lever)cairn_clamp(j + k, CAIRN_LEVER_MAX); }
 
 /* ---- coordinates: a cairn_real and its residue make a position in steps of 2^-28 m ---- */
 

@@ -48,6 +48,7 @@ _BOTH = (
     "made-inside-10",
     "made-inside-60",
     "made-inside-limit",
+    "polygons-collide",
     "one-point",
     "stack20-aligned",
     "stack20-offset",
