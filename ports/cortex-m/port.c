@@ -61,6 +61,11 @@ uint32_t cairn_port_stack_used(void)
     return cairn_stack_used();
 }
 
+void cairn_port_stack_paint(void)
+{
+    cairn_stack_paint();
+}
+
 uint32_t cairn_port_stack_now(void)
 {
     return cairn_stack_now();

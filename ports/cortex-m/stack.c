@@ -1,4 +1,4 @@
-/* The high-water mark of the stack that the start-up painted, and where it stands. */
+/* The high-water mark of the stack that the start-up painted, and a new coat of paint. */
 #include "stack.h"
 
 uint32_t cairn_stack_used(void)
@@ -9,7 +9,11 @@ uint32_t cairn_stack_used(void)
     return (uint32_t)((uintptr_t)cairn_link_stack_top - (uintptr_t)word);
 }
 
-uint32_t cairn_stack_now(void)
+void cairn_stack_paint(void)
 {
-    return (uint32_t)((uintptr_t)cairn_link_stack_top - (uintptr_t)__builtin_frame_address(0));
+    /* Volatile, or it would become a call of memset(), whose frame lies where it paints. */
+    volatile uint32_t *word = cairn_link_stack_bottom;
+    const uint32_t *end = cairn_link_stack_top - cairn_stack_now() / sizeof *word;
+    while (word < end)
+        *word++ = CAIRN_STACK_PAINT;
 }

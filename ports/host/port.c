@@ -67,6 +67,10 @@ uint32_t cairn_port_stack_used(void)
     return 0;
 }
 
+void cairn_port_stack_paint(void)
+{
+}
+
 uint32_t cairn_port_stack_now(void)
 {
     return 0;

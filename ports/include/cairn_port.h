@@ -44,8 +44,11 @@ const char *cairn_port_arguments(void);
 /* Ends the image with an exit code of 0 to 255 and does not return. A fault ends it with 100 + the exception number. */
 void cairn_port_exit(int code);
 
-/* The most bytes of stack used since reset; 0 where the machine does not tell (the host). */
+/* The most bytes of stack used since reset, or since it was painted; 0 where the machine does not tell (the host). */
 uint32_t cairn_port_stack_used(void);
+
+/* Forgets how deep the stack has been: what is called from here on is measured alone. */
+void cairn_port_stack_paint(void);
 
 /* The bytes of stack in use where it is called; 0 where the machine does not tell (the host). */
 uint32_t cairn_port_stack_now(void);

@@ -119,13 +119,15 @@ class Probe(unittest.TestCase):
     def test_stack_mark_follows_use(self) -> None:
         code, text = call("stack")
         self.assertEqual(code, 0)
-        match = re.fullmatch(r"stack (\d+) (\d+) (\d+)\n", text)
+        match = re.fullmatch(r"stack (\d+) (\d+) (\d+) (\d+)\n", text)
         assert match is not None
-        before, after, now = (int(number) for number in match.groups())
+        before, after, now, painted = (int(number) for number in match.groups())
         self.assertGreater(now, 0)
         self.assertLess(now, after - STACK_BYTES + STACK_SLACK)
         self.assertLess(before, STACK_BYTES)
         self.assertGreaterEqual(after, STACK_BYTES)
+        self.assertGreaterEqual(painted, now)
+        self.assertLess(painted, STACK_BYTES)
         self.assertLess(after, STACK_BYTES + before + STACK_SLACK)
 
     def test_clock_counts_instructions_exactly(self) -> None:

@@ -101,6 +101,9 @@ static void print_stack(void)
     cairn_print_u32(cairn_port_stack_used());
     cairn_print_text(" ");
     cairn_print_u32(cairn_port_stack_now());
+    cairn_port_stack_paint();
+    cairn_print_text(" ");
+    cairn_print_u32(cairn_port_stack_used());
     cairn_print_text("\n");
 }
 

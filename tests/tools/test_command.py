@@ -124,6 +124,7 @@ def test_pictures_are_written(tmp_path: Path) -> None:
         (["bench", "--cycles", "--core", "m7"], "no estimate"),
         (["bench", "--growth", "--scene", "tower"], "--growth"),
         (["bench", "--plot", "a.png"], "--growth"),
+        (["bench", "--memory", "--scene", "tower"], "--memory"),
         (["table", "tower"], "--out"),
         (["table", "tower", "--out", "t.c", "--name", "a b"], "--name"),
         (["jump"], "jump"),

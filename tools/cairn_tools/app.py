@@ -28,6 +28,7 @@ from . import golden as golden_module
 from . import growth as growth_module
 from . import host_bench as host_module
 from . import kept as kept_module
+from . import memory as memory_module
 from . import peers as peers_module
 from . import profile as profile_module
 from .errors import UserError
@@ -187,6 +188,7 @@ def bench(
     cycles: Annotated[bool, typer.Option("--cycles", help="Cycles and microseconds on four chips.")] = False,
     growth: Annotated[bool, typer.Option("--growth", help="Costs of 10 to 400 bodies, on the M0 or --core.")] = False,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="With --growth: draw it too.")] = None,
+    memory: Annotated[bool, typer.Option("--memory", help="Bytes of RAM and stack, with the goals.")] = False,
     check: Annotated[bool, typer.Option("--check", help="Only hold the costs to those on record.")] = False,
     keep: Annotated[bool, typer.Option("--keep", help="Only put the costs on record.")] = False,
     peers: Annotated[bool, typer.Option("--peers", help="Beside Chipmunk and Box2D; fetches their sources.")] = False,
@@ -197,6 +199,11 @@ def bench(
 ) -> None:
     """Instructions per step on the emulated cores, over steps 121 to 240."""
     show = bench_tables.print_markdown if markdown else out.print
+    if memory:
+        if profile or cycles or growth or plot or peers or scene_name or solver or substeps or passes:
+            raise UserError("--memory takes --core, --check, --keep, --markdown and --json only")
+        _bench_memory([c.value for c in core or ()] or list(memory_module.CORES), keep, check, as_json, show)
+        return
     if keep or check:
         _bench_record(keep)
         return
@@ -287,6 +294,28 @@ def _bench_host(rounds: int, as_json: bool, show: Show) -> None:
             print(f"- {name}: {text}")
     if not all(time.stands for time in times):
         raise typer.Exit(1)
+
+
+def _bench_memory(cores: list[str], keep: bool, check: bool, as_json: bool, show: Show) -> None:
+    """Exit code 1 only where --check finds more than is on record: a goal that is missed is only told."""
+    started = monotonic()
+    with _working("bench --memory") as say:
+        rows = memory_module.measure(cores, memory_module.SCENES, say)
+    if as_json:
+        print(json.dumps(bench_tables.memory_record(rows), indent=2))
+    else:
+        for grid in bench_tables.memory_tables(rows):
+            show(grid)
+    if keep:
+        memory_module.write(rows)
+    if check:
+        lines = list(memory_module.troubles(rows))
+        for line in lines:
+            print(line, file=sys.stderr if as_json else sys.stdout)
+        if not as_json:
+            print(f"{len(rows) - len(lines)} passed, {len(lines)} failed in {monotonic() - started:.1f}s")
+        if lines:
+            raise typer.Exit(1)
 
 
 def _bench_record(keep: bool) -> None:

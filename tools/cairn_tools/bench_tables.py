@@ -1,4 +1,4 @@
-"""What `bench --cycles`, `--growth`, `--peers` and `--host` print."""
+"""What `bench --cycles`, `--growth`, `--memory`, `--peers` and `--host` print."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from rich import box
 from rich.table import Table
 
-from . import cycles, growth, host_bench, peers
+from . import cycles, growth, host_bench, memory, peers
 
 
 def print_markdown(table: Table) -> None:
@@ -139,6 +139,34 @@ def growth_tables(points: list[growth.Point]) -> list[Table]:
         body = "-" if tree["per_body"] is None else f"{tree['per_body']:,.0f}"
         sums.add_row(row["core"], row["kind"], at, *rise, body, f"{row['stack_bytes']:,}")
     return [grid, sums]
+
+
+def memory_record(rows: list[memory.Row]) -> list[dict[str, Any]]:
+    """For --json."""
+    return [asdict(row) | {"verdict": row.verdict} for row in rows]
+
+
+def memory_tables(rows: list[memory.Row]) -> list[Table]:
+    """Sizes, then stacks; a column a core."""
+    pools = f"the world with the pools that {memory.WORLD} needs in {2 * memory.STEPS} steps; a block lies on the stack"
+    titles = {"size": ("Bytes of RAM", pools),
+              "stack": ("Bytes of stack of a step", f"the most of steps 1 to {memory.STEPS}")}  # fmt: skip
+    grids = []
+    for kind, (title, caption) in titles.items():
+        own = [row for row in rows if row.kind == kind]
+        cores = list(dict.fromkeys(row.core for row in own))
+        grid = Table(title=title, caption=caption, box=box.SIMPLE, pad_edge=False)
+        grid.add_column("what" if kind == "size" else "scene")
+        for column in (*cores, "goal"):
+            grid.add_column(column, justify="right", no_wrap=True)
+        grid.add_column("verdict")
+        for name in dict.fromkeys(row.name for row in own):
+            of = [row for row in own if row.name == name]
+            goal = "-" if of[0].goal is None else f"{of[0].goal:,}"
+            grid.add_row(name, *(f"{row.bytes:,}" for row in of), goal, max(of, key=lambda row: row.bytes).verdict)
+        if own:
+            grids.append(grid)
+    return grids
 
 
 def peer_tables(rows: list[list[peers.Cost]]) -> list[Table]:

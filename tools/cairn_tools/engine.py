@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -72,24 +72,31 @@ class Run:
     hash: str = ""
     statistics: dict[str, int] = field(default_factory=dict)
     costs: list[int] = field(default_factory=list)  # a step: instructions in QEMU, cycles in rp2040js
-    stack: int = 0  # bytes, the most ever used
+    stack: int = 0  # bytes, the most used in the steps
     stack_before: int = 0  # of which the runner's own, where it calls the step
     contacts: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))
 
 
 def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> Run:
     """Runs a scene and records each `every` steps (0: records nothing)."""
-    words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}"]
-    words += [f"substeps={scene.substeps}", f"passes={scene.passes}"]
-    if target == "host":
-        command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *words]
-        output = _output_of(command, scene, None)
-    else:
+    if target != "host":
         with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
             image = Path(folder) / "runner.elf"
             build_image(scene, target, image)
-            output = run_image(scene, target, image, [*words, "costs=1"], timeout=120 + steps)
-    return _parse(output, scene, Run(arithmetic, target, steps, _no_states(scene)))
+            return run_built(scene, target, image, steps, every)
+    command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *_words(scene, steps, every)]
+    return _parse(_output_of(command, scene, None), scene, Run(arithmetic, target, steps, _no_states(scene)))
+
+
+def run_built(scene: Scene, target: str, image: Path, steps: int, every: int) -> Run:
+    """The same of an image that build_image() made."""
+    output = run_image(scene, target, image, [*_words(scene, steps, every), "costs=1"], timeout=120 + steps)
+    return _parse(output, scene, Run("q16", target, steps, _no_states(scene)))
+
+
+def _words(scene: Scene, steps: int, every: int) -> list[str]:
+    words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}"]
+    return [*words, f"substeps={scene.substeps}", f"passes={scene.passes}"]
 
 
 def run_image(
@@ -109,10 +116,12 @@ def table(scene: Scene, name: str) -> str:
     return _output_of([str(host_program("host", "cairn-table")), "-", name], scene, None)
 
 
-def build_image(scene: Scene, target: str, image: Path) -> None:
-    """Links the runner's firmware with a scene's table and puts it into the given file."""
+def build_image(scene: Scene, target: str, image: Path, change: Callable[[str], str] | None = None) -> None:
+    """Links the runner's firmware with a scene's table, changed where wished, and puts it into the given file."""
     emulated = CORES[target]
     text = table(scene, "cairn_the_scene")
+    if change:
+        text = change(text)
     _configure(emulated.preset)
     place = BUILDS / emulated.preset / "tools" / "runner"
     with lock(emulated.preset):

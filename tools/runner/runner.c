@@ -109,12 +109,30 @@ static void print_state(cairn_world *world, const cairn_scene *scene, runner_mem
     }
 }
 
-static void print_stats(const cairn_world *world, uint32_t most_points)
+/* What any step needed of the pools. */
+typedef struct runner_most {
+    uint16_t points, arbiters, cells, entries;
+} runner_most;
+
+static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
+
+static void keep_most(runner_most *most, const cairn_world_stats *stats)
+{
+    most->points = larger(most->points, stats->points);
+    most->arbiters = larger(most->arbiters, stats->arbiters);
+    most->cells = larger(most->cells, stats->tree_cells);
+    most->entries = larger(most->entries, stats->tree_entries);
+}
+
+static void print_stats(const cairn_world *world, const runner_most *most)
 {
     const cairn_world_stats *stats = cairn_world_get_stats(world);
     print_number_line("stat arbiters", stats->arbiters);
     print_number_line("stat points", stats->points);
-    print_number_line("stat most_points", most_points);
+    print_number_line("stat most_points", most->points);
+    print_number_line("stat most_arbiters", most->arbiters);
+    print_number_line("stat most_tree_cells", most->cells);
+    print_number_line("stat most_tree_entries", most->entries);
     print_number_line("stat pairs", stats->pairs);
     print_number_line("stat awake", stats->awake);
     print_number_line("stat dropped_contacts", stats->dropped);
@@ -184,7 +202,8 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
     }
     const uint32_t before = cairn_port_clock();
     const uint32_t clock_cost = cairn_port_clock() - before;
-    uint32_t most_points = 0;
+    runner_most most = {0, 0, 0, 0};
+    cairn_port_stack_paint();
     for (uint32_t step = 0; step <= options->steps; step++) {
         if (step > 0) {
             const uint32_t start = cairn_port_clock();
@@ -197,15 +216,13 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
             if (options->costs) {
                 print_number_line("cost", cost);
             }
-            if (cairn_world_get_stats(world)->points > most_points) {
-                most_points = cairn_world_get_stats(world)->points;
-            }
+            keep_most(&most, cairn_world_get_stats(world));
         }
         if (options->every > 0 && step % options->every == 0) {
             print_state(world, &scene, memory, step);
         }
     }
-    print_stats(world, most_points);
+    print_stats(world, &most);
     if (options->contacts) {
         print_contacts(world);
     }

@@ -9,7 +9,7 @@
  *   stat NAME VALUE
  *   contact X Y NX NY          of the last step, if asked for
  *   hash HEX                   the engine's own in fixed point; of poses and velocities in double
- *   stack BYTES                the most that was ever used
+ *   stack BYTES                the most that was used in the steps
  *   stack_before BYTES         what was in use where cairn_world_step() is called
  *   end
  *   error TEXT                 instead of the rest
