@@ -200,8 +200,9 @@ def bench(
     """Instructions per step on the emulated cores, over steps 121 to 240."""
     show = bench_tables.print_markdown if markdown else out.print
     if memory:
-        if profile or cycles or growth or plot or peers or scene_name or solver or substeps or passes:
-            raise UserError("--memory takes --core, --check, --keep, --markdown and --json only")
+        others = (scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers, host, rounds)
+        if any(others) or (keep and core):
+            raise UserError("--memory takes --core or --keep, --check, --markdown and --json only")
         _bench_memory([c.value for c in core or ()] or list(memory_module.CORES), keep, check, as_json, show)
         return
     if keep or check:
