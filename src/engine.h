@@ -317,11 +317,11 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
 /* Are both free to move, and is one no circle? */
 bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b);
 /* Do such two slide so fast that it matters, and yet not past one another at once? */
-bool cairn_arbiter_slides_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter);
-static inline bool cairn_arbiter_slides(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+bool cairn_arbiter_slips_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter);
+static inline bool cairn_arbiter_slips_past(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
     cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
-    return !cairn_size_is_below(size, CAIRN_SLIDES) && cairn_arbiter_slides_fast(a, b, arbiter);
+    return !cairn_size_is_below(size, CAIRN_SLIDES) && cairn_arbiter_slips_fast(a, b, arbiter);
 }
 /* After b has moved by (x, y) to a. */
 void cairn_arbiter_slide(const cairn_body *a, const cairn_body *b, cairn_arbiter *arbiter, cairn_offset x, cairn_offset y);

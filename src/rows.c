@@ -130,7 +130,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     arbiter->friction_lever_b = cairn_body_lever(b, height + to_surface - b_height);
     arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
     arbiter->path &= CAIRN_PATH_FRESH;
-    if (cairn_arbiter_slides(a, b, arbiter)) {
+    if (cairn_arbiter_slips_past(a, b, arbiter)) {
         arbiter->path |= CAIRN_PATH_SLIDING;
         if (manifold->time != 0) {
             cairn_arbiter_slide(a, b, arbiter, -until(b->vx - a->vx, world, manifold->time), -until(b->vy - a->vy, world, manifold->time));

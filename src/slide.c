@@ -27,7 +27,7 @@ static bool is_shallow(const cairn_arbiter *arbiter)
     return arbiter->rows[0].gap > most && (arbiter->count < 2 || arbiter->rows[1].gap > most);
 }
 
-bool cairn_arbiter_slides_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+bool cairn_arbiter_slips_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
     cairn_motion across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
     return (across > CAIRN_SLIDES || -across > CAIRN_SLIDES) && cairn_arbiter_may_slide(a, b) && is_within_half(a, across) && is_within_half(b, across)
