@@ -13,7 +13,8 @@ void cairn_stack_paint(void)
 {
     /* Volatile, or it would become a call of memset(), whose frame lies where it paints. */
     volatile uint32_t *word = cairn_link_stack_bottom;
-    const uint32_t *end = cairn_link_stack_top - cairn_stack_now() / sizeof *word;
+    /* Room for what this function pushes after it has looked at sp, as compilers do for the M55. */
+    const uint32_t *end = cairn_link_stack_top - cairn_stack_now() / sizeof *word - 16;
     while (word < end)
         *word++ = CAIRN_STACK_PAINT;
 }
