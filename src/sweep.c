@@ -255,15 +255,10 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     return arbiter->flags & CAIRN_ARBITER_ON_STATIC ? CAIRN_PATH_ON_STATIC : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN : CAIRN_PATH_SHARED;
 }
 
-static cairn_size size_of_motion(const cairn_body *body)
-{
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(body->vx), body->vy), body->w);
-    return cairn_size_with(cairn_size_with(cairn_size_with(size, body->dx), body->dy), body->dw);
-}
-
 /*
- * So far apart that the points cannot meet in this sub-step: they come nearer by v + d at most, 2 (sqrt(2) + 2 sqrt(2)) times
- * the greatest of v and that of d.
+ * So far apart that the points cannot meet in this sub-step. They come nearer by v + d at most, and that by sqrt(2) times the greater
+ * component of the relative motion and 2 sqrt(2) times each spin: 7.1 times the greatest of v and as much of d, of which halves are taken, for
+ * the difference of two displacements may not fit. The velocities of two that fall together differ by nothing.
  */
 static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
@@ -273,7 +268,11 @@ static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter
         return false;
     }
     cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
-    return cairn_size_is_far_below(size_of_motion(a), gap) && cairn_size_is_far_below(size_of_motion(b), gap);
+    cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
+    size = cairn_size_with(size, cairn_motion_half(b->dx) - cairn_motion_half(a->dx));
+    size = cairn_size_with(size, cairn_motion_half(b->dy) - cairn_motion_half(a->dy));
+    size = cairn_size_with(cairn_size_with(size, a->w), b->w);
+    return cairn_size_is_far_below(cairn_size_with(cairn_size_with(size, a->dw), b->dw), gap);
 }
 
 bool cairn_sweep_choose(cairn_world *world)
