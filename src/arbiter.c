@@ -142,12 +142,8 @@ void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset 
     if (rank_a <= rank_b) {
         b->shape->kind->collide[rank_a](a, b, margin, out);
     } else {
-        cairn_pose first = *b, second = *a;
-        first.x = first.y = 0;
         out->normal_x = out->normal_y = 0; /* not set where there is no contact */
-        second.x = -x;
-        second.y = -y;
-        a->shape->kind->collide[rank_b](&first, &second, margin, out);
+        a->shape->kind->collide[rank_b](b, a, margin, out);
         turn_round(out, x, y);
     }
     out->x = x;

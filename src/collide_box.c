@@ -87,7 +87,7 @@ static int incident_face(const relative *r, half_size other, int axis, face_poin
 }
 
 /* Clip the incident face against the ends of the reference face and keep what lies within the margin. */
-static void clip(const cairn_pose *reference, half_size own, half_size other, const relative *r, bool along_y, bool swapped,
+static void clip(const cairn_pose *a, const cairn_pose *reference, half_size own, half_size other, const relative *r, bool along_y, bool swapped,
                  cairn_offset margin, cairn_manifold *out)
 {
     int axis = along_y ? (r->y > 0 ? 1 : 3) : r->x > 0 ? 0 : 2;
@@ -113,8 +113,8 @@ static void clip(const cairn_pose *reference, half_size own, half_size other, co
         }
         cairn_manifold_point *result = &out->points[out->count++];
         cairn_offset middle = height + cairn_offset_half(point.separation);
-        result->x = reference->x + cairn_offset_dot(middle, point.along, nx, -ny);
-        result->y = reference->y + cairn_offset_dot(middle, point.along, ny, nx);
+        result->x = reference->x - a->x + cairn_offset_dot(middle, point.along, nx, -ny);
+        result->y = reference->y - a->y + cairn_offset_dot(middle, point.along, ny, nx);
         result->separation = point.separation;
         result->feature = cairn_feature(axis, face, i, swapped);
     }
@@ -139,8 +139,8 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
     }
     out->separation = from_a > from_b ? from_a : from_b;
     if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
-        clip(b, half_b, half_a, &a_from_b, y_b, true, margin, out);
+        clip(a, b, half_b, half_a, &a_from_b, y_b, true, margin, out);
     } else {
-        clip(a, half_a, half_b, &b_from_a, y_a, false, margin, out);
+        clip(a, a, half_a, half_b, &b_from_a, y_a, false, margin, out);
     }
 }

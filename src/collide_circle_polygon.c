@@ -1,29 +1,43 @@
 /* The narrow phase of a circle with a polygon: the nearest face, or the nearest corner where the centre lies beyond a face's end. */
 #include "engine.h"
 
-/* The contact of a circle (radius r, at the origin) with the polygon's surface in direction (nx, ny) from the circle. */
-static void touch(cairn_offset r, cairn_offset separation, cairn_unit nx, cairn_unit ny, int feature, cairn_manifold *out)
+/* The contact of a circle of radius r with the polygon's surface in direction n from the circle. */
+static void touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_manifold *out)
 {
     cairn_offset middle = r + cairn_offset_half(separation);
-    out->normal_x = nx;
-    out->normal_y = ny;
-    out->points[0].x = cairn_offset_mul(middle, nx);
-    out->points[0].y = cairn_offset_mul(middle, ny);
+    out->normal_x = n.x;
+    out->normal_y = n.y;
+    out->points[0].x = cairn_offset_mul(middle, n.x);
+    out->points[0].y = cairn_offset_mul(middle, n.y);
     out->points[0].separation = out->separation = separation;
     out->points[0].feature = (uint16_t)feature;
     out->count = 1;
 }
 
+/* How far a point lies outside of an edge. */
+static cairn_offset outside_of(const cairn_outline *polygon, int edge, cairn_offset2 p)
+{
+    return cairn_offset_dot(p.x - polygon->vertex[edge].x, p.y - polygon->vertex[edge].y, polygon->normal[edge].x, polygon->normal[edge].y);
+}
+
+/* How far beyond the corner where an edge begins a point lies along that edge. */
+static cairn_offset beyond(const cairn_outline *polygon, int corner, int edge, cairn_offset2 p)
+{
+    return cairn_offset_dot(p.x - polygon->vertex[corner].x, p.y - polygon->vertex[corner].y, -polygon->normal[edge].y, polygon->normal[edge].x);
+}
+
+/* All in the polygon's own frame, but for what is found. */
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_hull hull;
+    cairn_outline polygon;
     cairn_offset r = cairn_offset_from_real(a->shape->size.x);
     cairn_offset most = -CAIRN_OFFSET_MAX;
+    cairn_offset2 centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
     int edge = 0;
     out->count = 0;
-    cairn_pose_hull(b, &hull);
-    for (int i = 0; i < hull.count; i++) {
-        cairn_offset distance = cairn_offset_dot(-hull.vertex[i].x, -hull.vertex[i].y, hull.normal[i].x, hull.normal[i].y);
+    b->shape->kind->outline(b->shape, &polygon);
+    for (int i = 0; i < polygon.count; i++) {
+        cairn_offset distance = outside_of(&polygon, i, centre);
         if (distance > r + margin) {
             return;
         }
@@ -32,24 +46,25 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
             edge = i;
         }
     }
-    int next = edge + 1 < hull.count ? edge + 1 : 0;
-    cairn_unit nx = hull.normal[edge].x, ny = hull.normal[edge].y;
     if (most > 0) {
         /* Outside: beyond one of the ends of the face it is the corner that is nearest. */
-        int corner = -1;
-        if (cairn_offset_dot(-hull.vertex[edge].x, -hull.vertex[edge].y, -ny, nx) < 0) {
+        int next = edge + 1 < polygon.count ? edge + 1 : 0, corner = -1;
+        if (beyond(&polygon, edge, edge, centre) < 0) {
             corner = edge;
-        } else if (cairn_offset_dot(-hull.vertex[next].x, -hull.vertex[next].y, -ny, nx) > 0) {
+        } else if (beyond(&polygon, next, edge, centre) > 0) {
             corner = next;
         }
         if (corner >= 0) {
-            cairn_unit ux, uy;
-            cairn_offset distance = cairn_unit_along(hull.vertex[corner].x, hull.vertex[corner].y, &ux, &uy);
+            cairn_unit2 n;
+            cairn_offset distance = cairn_unit_along(polygon.vertex[corner].x - centre.x, polygon.vertex[corner].y - centre.y, &n.x, &n.y);
             if (distance <= r + margin) {
-                touch(r, distance - r, ux, uy, 16 + corner, out);
+                touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, out);
             }
             return;
         }
     }
-    touch(r, most - r, -nx, -ny, edge, out);
+    cairn_unit2 n = cairn_unit2_turned(polygon.normal[edge], b->c, b->s);
+    n.x = -n.x;
+    n.y = -n.y;
+    touch(r, most - r, n, edge, out);
 }

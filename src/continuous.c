@@ -82,10 +82,6 @@ static void expect_nothing(cairn_manifold *out)
 static void look(const course *a, const course *b, cairn_unit time, cairn_manifold *out)
 {
     cairn_pose pa = pose_at(a, time), pb = pose_at(b, time);
-    /* The narrow phase takes the first body's centre for the origin, and gives points relative to it. */
-    pb.x -= pa.x;
-    pb.y -= pa.y;
-    pa.x = pa.y = 0;
     expect_nothing(out);
     cairn_poses_collide(&pa, &pb, ANY_DISTANCE, out);
     out->time = time;
@@ -210,9 +206,6 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
         cairn_offset reach = cairn_offset_half(least_radius(a, b)), x = cb.dx - ca.dx, y = cb.dy - ca.dy, size = larger(x, y);
         cairn_unit span = size > reach ? cairn_offset_fraction(reach, size) : CAIRN_UNIT(1);
         cairn_pose pa = pose_at(&ca, out->time), pb = pose_at(&cb, out->time);
-        pb.x -= pa.x;
-        pb.y -= pa.y;
-        pa.x = pa.y = 0;
         look_beyond(&pa, &pb, cairn_offset_mul(x, span), cairn_offset_mul(y, span), span, ANY_DISTANCE, out);
     }
 }

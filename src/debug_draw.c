@@ -48,18 +48,19 @@ static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const ca
 
 static void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
 {
-    cairn_hull hull;
+    cairn_outline outline;
     cairn_vec2 corners[CAIRN_MAX_VERTICES];
     if (draw->polygon == NULL) {
         return;
     }
     cairn_unit c, s;
     cairn_angle_rotation(body->angle, &c, &s);
-    body->model->shape->kind->outline(body->model->shape, c, s, &hull);
-    for (int i = 0; i < hull.count; i++) {
-        corners[i] = place_of(body, hull.vertex[i].x, hull.vertex[i].y);
+    body->model->shape->kind->outline(body->model->shape, &outline);
+    for (int i = 0; i < outline.count; i++) {
+        cairn_offset2 corner = cairn_offset2_turned(outline.vertex[i], c, s);
+        corners[i] = place_of(body, corner.x, corner.y);
     }
-    draw->polygon(draw->context, id, state_of(body), corners, hull.count);
+    draw->polygon(draw->context, id, state_of(body), corners, outline.count);
 }
 
 cairn_status cairn_debug_draw_bodies(cairn_world *world, const cairn_debug_draw *draw)

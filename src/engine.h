@@ -191,21 +191,40 @@ static inline bool cairn_boxes_overlap(const cairn_body *a, const cairn_body *b)
 /* ---- narrow phase ---- */
 typedef struct cairn_pose {
     const cairn_shape *shape;
-    cairn_offset x, y; /* centre of mass, relative to the first body's */
+    cairn_offset x, y; /* centre of mass, relative to some point near both */
     cairn_unit c, s;
 } cairn_pose;
 
-typedef struct cairn_offset2 {
-    cairn_offset x, y;
-} cairn_offset2;
-
-typedef struct cairn_hull {
+/* A convex polygon in its own frame, counter-clockwise: its own corners and normals, or a box's. */
+typedef struct cairn_outline {
     int count;
-    cairn_offset2 vertex[CAIRN_MAX_VERTICES];
-    struct {
-        cairn_unit x, y;
-    } normal[CAIRN_MAX_VERTICES];
-} cairn_hull;
+    const cairn_offset2 *vertex;
+    const cairn_unit2 *normal; /* outward, of the edge from vertex i to i + 1 */
+    cairn_offset2 corners[4];  /* where a box's are */
+} cairn_outline;
+
+/* A vector of a shape's own frame in the world, and one of the world in its frame. */
+static inline cairn_offset2 cairn_offset2_turned(cairn_offset2 v, cairn_unit c, cairn_unit s)
+{
+    cairn_offset2 r;
+    r.x = cairn_offset_dot(v.x, -v.y, c, s);
+    r.y = cairn_offset_dot(v.x, v.y, s, c);
+    return r;
+}
+static inline cairn_offset2 cairn_offset2_turned_back(cairn_offset x, cairn_offset y, cairn_unit c, cairn_unit s)
+{
+    cairn_offset2 r;
+    r.x = cairn_offset_dot(x, y, c, s);
+    r.y = cairn_offset_dot(x, y, -s, c);
+    return r;
+}
+static inline cairn_unit2 cairn_unit2_turned(cairn_unit2 n, cairn_unit c, cairn_unit s)
+{
+    cairn_unit2 r;
+    r.x = cairn_unit_dot(n.x, -n.y, c, s);
+    r.y = cairn_unit_dot(n.x, n.y, s, c);
+    return r;
+}
 
 typedef struct cairn_manifold_point {
     cairn_offset x, y;       /* half way between the surfaces, relative to the first body's centre of mass */
@@ -238,8 +257,6 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
-/* The outline of a pose, in place. */
-void cairn_pose_hull(const cairn_pose *pose, cairn_hull *hull);
 
 /* ---- arbiter.c ---- */
 /* May these two collide at all, by kind, layers and springs? */

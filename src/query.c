@@ -48,8 +48,9 @@ static bool regions_meet(const region *a, const region *b)
 typedef struct target {
     const cairn_body *body;
     bool quartered;
-    cairn_offset radius; /* of a circle; a polygon has a hull instead */
-    cairn_hull hull;
+    cairn_offset radius;   /* of a circle; a polygon has an outline instead, in its own frame: */
+    cairn_outline outline;
+    cairn_unit c, s;
 } target;
 
 static cairn_offset scaled(const target *s, cairn_offset x)
@@ -68,13 +69,8 @@ static void set_target(target *s, const cairn_body *body, cairn_real span)
         s->radius = scaled(s, cairn_offset_from_real(body->model->shape->size.x));
         return;
     }
-    cairn_unit c, sine;
-    cairn_body_facing(body, &c, &sine);
-    body->model->shape->kind->outline(body->model->shape, c, sine, &s->hull);
-    for (int i = 0; i < s->hull.count; i++) {
-        s->hull.vertex[i].x = scaled(s, s->hull.vertex[i].x);
-        s->hull.vertex[i].y = scaled(s, s->hull.vertex[i].y);
-    }
+    cairn_body_facing(body, &s->c, &s->s);
+    body->model->shape->kind->outline(body->model->shape, &s->outline);
 }
 
 static cairn_offset2 relative(const target *s, cairn_vec2 point)
@@ -85,10 +81,22 @@ static cairn_offset2 relative(const target *s, cairn_vec2 point)
     return r;
 }
 
-/* How far a point lies outside of an edge of the hull. */
-static cairn_offset outside_of(const cairn_hull *hull, int edge, cairn_offset2 p)
+/* A corner of the polygon, and the normal of the edge from there. */
+static cairn_offset2 corner_of(const target *s, int i)
 {
-    return cairn_offset_dot(p.x - hull->vertex[edge].x, p.y - hull->vertex[edge].y, hull->normal[edge].x, hull->normal[edge].y);
+    cairn_offset2 corner = cairn_offset2_turned(s->outline.vertex[i], s->c, s->s);
+    corner.x = scaled(s, corner.x);
+    corner.y = scaled(s, corner.y);
+    return corner;
+}
+
+static cairn_unit2 normal_of(const target *s, int i) { return cairn_unit2_turned(s->outline.normal[i], s->c, s->s); }
+
+/* How far a point lies outside of an edge, of this normal. */
+static cairn_offset outside_of(const target *s, int edge, cairn_unit2 normal, cairn_offset2 p)
+{
+    cairn_offset2 corner = corner_of(s, edge);
+    return cairn_offset_dot(p.x - corner.x, p.y - corner.y, normal.x, normal.y);
 }
 
 /* ---- rays ---- */
@@ -128,11 +136,12 @@ static bool enter_circle(cairn_offset radius, cairn_offset2 start, cairn_offset2
 }
 
 /* Cyrus and Beck: the last edge that the ray crosses inwards, if it comes before the first that it crosses outwards. */
-static bool enter_hull(const cairn_hull *hull, cairn_offset2 start, cairn_offset2 end, entry *in)
+static bool enter_polygon(const target *s, cairn_offset2 start, cairn_offset2 end, entry *in)
 {
     cairn_unit leave = CAIRN_UNIT(1);
-    for (int i = 0; i < hull->count; i++) {
-        cairn_offset from = outside_of(hull, i, start), to = outside_of(hull, i, end);
+    for (int i = 0; i < s->outline.count; i++) {
+        cairn_unit2 normal = normal_of(s, i);
+        cairn_offset from = outside_of(s, i, normal, start), to = outside_of(s, i, normal, end);
         if (from > 0 && to > 0) {
             return false;
         }
@@ -141,8 +150,8 @@ static bool enter_hull(const cairn_hull *hull, cairn_offset2 start, cairn_offset
             bool first = in->normal_x == 0 && in->normal_y == 0;
             if (first || fraction > in->fraction) {
                 in->fraction = fraction;
-                in->normal_x = hull->normal[i].x;
-                in->normal_y = hull->normal[i].y;
+                in->normal_x = normal.x;
+                in->normal_y = normal.y;
             }
         } else if (to > 0) {
             cairn_unit fraction = cairn_offset_fraction(-from, to - from);
@@ -181,7 +190,7 @@ static bool enter_body(const ray *r, const cairn_body *body, entry *in)
     in->fraction = in->normal_x = in->normal_y = 0;
     set_target(&s, body, cairn_real_add(size_of(&box), r->length));
     cairn_offset2 start = relative(&s, r->start), end = relative(&s, r->end);
-    return is_circle(&s) ? enter_circle(s.radius, start, end, in) : enter_hull(&s.hull, start, end, in);
+    return is_circle(&s) ? enter_circle(s.radius, start, end, in) : enter_polygon(&s, start, end, in);
 }
 
 /* from + (to - from) * fraction */
@@ -289,8 +298,8 @@ static bool holds_point(const question *asked, const region *about, const cairn_
         cairn_unit x, y;
         return cairn_unit_along(p.x, p.y, &x, &y) <= s.radius;
     }
-    for (int i = 0; i < s.hull.count; i++) {
-        if (outside_of(&s.hull, i, p) > 0) {
+    for (int i = 0; i < s.outline.count; i++) {
+        if (outside_of(&s, i, normal_of(&s, i), p) > 0) {
             return false;
         }
     }
@@ -317,21 +326,22 @@ static bool box_meets_circle(cairn_offset2 lower, cairn_offset2 upper, cairn_off
     return cairn_unit_along(into(0, lower.x, upper.x), into(0, lower.y, upper.y), &x, &y) <= radius;
 }
 
-/* The separating-axis test: the box's axes, and the normals of the hull with the box's corner that lies farthest behind. */
-static bool box_meets_hull(cairn_offset2 lower, cairn_offset2 upper, const cairn_hull *hull)
+/* The separating-axis test: the box's axes, and the normals of the polygon with the box's corner that lies farthest behind. */
+static bool box_meets_polygon(cairn_offset2 lower, cairn_offset2 upper, const target *s)
 {
     bool left = true, right = true, below = true, above = true;
-    for (int i = 0; i < hull->count; i++) {
-        cairn_offset2 corner;
-        corner.x = hull->normal[i].x > 0 ? lower.x : upper.x;
-        corner.y = hull->normal[i].y > 0 ? lower.y : upper.y;
-        if (outside_of(hull, i, corner) > 0) {
+    for (int i = 0; i < s->outline.count; i++) {
+        cairn_unit2 normal = normal_of(s, i);
+        cairn_offset2 nearest, corner = corner_of(s, i);
+        nearest.x = normal.x > 0 ? lower.x : upper.x;
+        nearest.y = normal.y > 0 ? lower.y : upper.y;
+        if (cairn_offset_dot(nearest.x - corner.x, nearest.y - corner.y, normal.x, normal.y) > 0) {
             return false;
         }
-        left = left && hull->vertex[i].x < lower.x;
-        right = right && hull->vertex[i].x > upper.x;
-        below = below && hull->vertex[i].y < lower.y;
-        above = above && hull->vertex[i].y > upper.y;
+        left = left && corner.x < lower.x;
+        right = right && corner.x > upper.x;
+        below = below && corner.y < lower.y;
+        above = above && corner.y > upper.y;
     }
     return !left && !right && !below && !above;
 }
@@ -344,7 +354,7 @@ static bool meets_box(const question *asked, const region *about, const cairn_bo
     cairn_vec2 low = cairn_vec2_of(larger(asked->box.lower.x, about->lower.x), larger(asked->box.lower.y, about->lower.y));
     cairn_vec2 high = cairn_vec2_of(smaller(asked->box.upper.x, about->upper.x), smaller(asked->box.upper.y, about->upper.y));
     cairn_offset2 lower = relative(&s, low), upper = relative(&s, high);
-    return is_circle(&s) ? box_meets_circle(lower, upper, s.radius) : box_meets_hull(lower, upper, &s.hull);
+    return is_circle(&s) ? box_meets_circle(lower, upper, s.radius) : box_meets_polygon(lower, upper, &s);
 }
 
 cairn_status cairn_query_box(cairn_world *world, cairn_vec2 lower, cairn_vec2 upper, uint16_t mask, cairn_body_visitor visit, void *context)

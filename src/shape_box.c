@@ -39,29 +39,19 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     *y = cairn_real_above_offset(cairn_offset_dot(w, h, s, c));
 }
 
-static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_hull *hull)
+static const cairn_unit2 normals[4] = { { CAIRN_UNIT(1), 0 }, { 0, CAIRN_UNIT(1) }, { -CAIRN_UNIT(1), 0 }, { 0, -CAIRN_UNIT(1) } };
+
+static void outline(const cairn_shape *shape, cairn_outline *out)
 {
     cairn_offset w = cairn_offset_half(cairn_offset_from_real(shape->size.x));
     cairn_offset h = cairn_offset_half(cairn_offset_from_real(shape->size.y));
-    cairn_offset wx = cairn_offset_mul(w, c), wy = cairn_offset_mul(w, s); /* half the width, rotated */
-    cairn_offset hx = -cairn_offset_mul(h, s), hy = cairn_offset_mul(h, c);
-    hull->count = 4;
-    hull->vertex[0].x = wx - hx;
-    hull->vertex[0].y = wy - hy;
-    hull->vertex[1].x = wx + hx;
-    hull->vertex[1].y = wy + hy;
-    hull->vertex[2].x = -hull->vertex[0].x;
-    hull->vertex[2].y = -hull->vertex[0].y;
-    hull->vertex[3].x = -hull->vertex[1].x;
-    hull->vertex[3].y = -hull->vertex[1].y;
-    hull->normal[0].x = c;
-    hull->normal[0].y = s;
-    hull->normal[1].x = -s;
-    hull->normal[1].y = c;
-    hull->normal[2].x = -c;
-    hull->normal[2].y = -s;
-    hull->normal[3].x = s;
-    hull->normal[3].y = -c;
+    for (int i = 0; i < 4; i++) { /* from the lower right on */
+        out->corners[i].x = i < 2 ? w : -w;
+        out->corners[i].y = i == 1 || i == 2 ? h : -h;
+    }
+    out->count = 4;
+    out->vertex = out->corners;
+    out->normal = normals;
 }
 
 const cairn_shape_class cairn_box_class = {

@@ -29,13 +29,13 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_offset ra = cairn_offset_from_real(a->shape->size.x), rb = cairn_offset_from_real(b->shape->size.x);
-    cairn_offset reach = ra + rb + margin;
+    cairn_offset reach = ra + rb + margin, x = b->x - a->x, y = b->y - a->y;
     out->count = 0;
     out->separation = margin;
-    if (b->x > reach || -b->x > reach || b->y > reach || -b->y > reach) {
+    if (x > reach || -x > reach || y > reach || -y > reach) {
         return;
     }
-    cairn_offset distance = cairn_unit_along(b->x, b->y, &out->normal_x, &out->normal_y);
+    cairn_offset distance = cairn_unit_along(x, y, &out->normal_x, &out->normal_y);
     if (distance > reach) {
         return;
     }

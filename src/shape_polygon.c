@@ -38,25 +38,11 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     *y = cairn_real_above_offset(far_y);
 }
 
-static void outline(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_hull *hull)
+static void outline(const cairn_shape *shape, cairn_outline *out)
 {
-    const cairn_polygon *polygon = shape->polygon;
-    hull->count = polygon->count;
-    if (s == 0 && c == CAIRN_UNIT(1)) { /* in its own frame */
-        for (int i = 0; i < polygon->count; i++) {
-            hull->vertex[i].x = polygon->vertex[i].x;
-            hull->vertex[i].y = polygon->vertex[i].y;
-            hull->normal[i].x = polygon->normal[i].x;
-            hull->normal[i].y = polygon->normal[i].y;
-        }
-        return;
-    }
-    for (int i = 0; i < polygon->count; i++) {
-        hull->vertex[i].x = cairn_offset_dot(polygon->vertex[i].x, -polygon->vertex[i].y, c, s);
-        hull->vertex[i].y = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, s, c);
-        hull->normal[i].x = cairn_unit_dot(polygon->normal[i].x, -polygon->normal[i].y, c, s);
-        hull->normal[i].y = cairn_unit_dot(polygon->normal[i].x, polygon->normal[i].y, s, c);
-    }
+    out->count = shape->polygon->count;
+    out->vertex = shape->polygon->vertex;
+    out->normal = shape->polygon->normal;
 }
 
 const cairn_shape_class cairn_polygon_class = {

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-struct cairn_hull;
+struct cairn_outline;
 struct cairn_polygon;
 struct cairn_manifold;
 struct cairn_pose;
@@ -24,6 +24,14 @@ struct cairn_shape;
  */
 #define CAIRN_SHAPE_RADIUS_MAX CAIRN_F(125)
 #define CAIRN_SHAPE_RADIUS_MIN CAIRN_F(0.001)
+
+typedef struct cairn_offset2 {
+    cairn_offset x, y;
+} cairn_offset2;
+
+typedef struct cairn_unit2 {
+    cairn_unit x, y;
+} cairn_unit2;
 
 typedef struct cairn_mass_data {
     cairn_wide area;     /* m^2 */
@@ -43,9 +51,9 @@ typedef struct cairn_shape_class {
     cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
-    /* The outline about the centre of mass, rotated by (c, s); null for circles. */
-    void (*outline)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, struct cairn_hull *hull);
-    /* The contact of a (of lower or equal rank) with b, the pose of b relative to a; by the rank of a. */
+    /* The outline in the shape's own frame; null for circles. */
+    void (*outline)(const struct cairn_shape *shape, struct cairn_outline *out);
+    /* The contact of a (of lower or equal rank) with b, seen from a's centre of mass; by the rank of a. */
     void (*collide[3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
 } cairn_shape_class;
 
@@ -67,12 +75,8 @@ typedef struct cairn_shape {
 typedef struct cairn_polygon {
     cairn_shape shape; /* use &polygon.shape */
     uint8_t count;
-    struct {
-        cairn_offset x, y;
-    } centroid, vertex[CAIRN_MAX_VERTICES]; /* vertices relative to the centroid */
-    struct {
-        cairn_unit x, y;
-    } normal[CAIRN_MAX_VERTICES]; /* outward, of the edge from vertex i to i + 1 */
+    cairn_offset2 centroid, vertex[CAIRN_MAX_VERTICES]; /* vertices relative to the centroid */
+    cairn_unit2 normal[CAIRN_MAX_VERTICES]; /* outward, of the edge from vertex i to i + 1 */
     cairn_mass_data mass;
 } cairn_polygon;
 
