@@ -82,6 +82,8 @@ static int incident_edge(const cairn_outline *polygon, const relative *at, cairn
     return edge;
 }
 
+static int after(const cairn_outline *polygon, int edge) { return edge + 1 < polygon->count ? edge + 1 : 0; }
+
 /* A corner of the incident edge in the frame of the reference edge. */
 typedef struct edge_point {
     cairn_offset along, separation;
@@ -109,81 +111,90 @@ static edge_point clipped(edge_point point, edge_point other, cairn_offset along
     return result;
 }
 
-/* The polygon whose edge is the reference. */
+/* Which edge separates the two most. */
 typedef struct reference {
-    const cairn_outline *outline;
-    const cairn_pose *pose;
-    cairn_offset2 from_a; /* its centre */
     int edge;
-    bool swapped; /* it is b */
+    bool swapped; /* it is one of b's */
 } reference;
 
-/* Clip the incident edge against the sides of the reference edge and keep what lies within the margin. */
-static void clip(const reference *face, const cairn_outline *incident, const relative *at, cairn_offset margin, cairn_manifold *out)
+/* The separation along that edge; above the margin, there need not be one. */
+CAIRN_APART cairn_offset find_reference(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, reference *out)
 {
-    const cairn_outline *outline = face->outline;
-    int edge = face->edge, next = edge + 1 < outline->count ? edge + 1 : 0;
-    cairn_offset2 from = outline->vertex[edge], to = outline->vertex[next];
-    cairn_unit2 n = outline->normal[edge];
+    cairn_outline of_a, of_b;
+    int edge_b = 0;
+    out->edge = 0;
+    out->swapped = false;
+    a->shape->kind->outline(a->shape, &of_a);
+    b->shape->kind->outline(b->shape, &of_b);
+    relative at = seen_from(a, b);
+    cairn_offset from_a = deepest_axis(&of_a, &of_b, &at, margin, &out->edge);
+    if (from_a > margin) {
+        return from_a;
+    }
+    at = turned_round(at, a, b);
+    cairn_offset from_b = deepest_axis(&of_b, &of_a, &at, margin, &edge_b);
+    if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
+        out->edge = edge_b;
+        out->swapped = true;
+    }
+    return from_a > from_b ? from_a : from_b;
+}
+
+/* Clip the incident edge against the sides of the reference edge and keep what lies within the margin. */
+CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference *by, cairn_offset margin, cairn_manifold *out)
+{
+    const cairn_pose *own = by->swapped ? b : a, *other = by->swapped ? a : b;
+    cairn_outline outline;
+    own->shape->kind->outline(own->shape, &outline);
+    int edge = by->edge;
+    cairn_offset2 from = outline.vertex[edge], to = outline.vertex[after(&outline, edge)];
+    cairn_unit2 n = outline.normal[edge];
     cairn_offset length = cairn_offset_dot(to.x - from.x, to.y - from.y, -n.y, n.x);
 
-    int facing = incident_edge(incident, at, n);
-    int after = facing + 1 < incident->count ? facing + 1 : 0;
+    relative at = seen_from(own, other);
+    other->shape->kind->outline(other->shape, &outline);
+    int facing = incident_edge(&outline, &at, n);
     edge_point ends[2];
-    ends[0] = edge_point_of(incident->vertex[facing], at, from, n);
-    ends[1] = edge_point_of(incident->vertex[after], at, from, n);
+    ends[0] = edge_point_of(outline.vertex[facing], &at, from, n);
+    ends[1] = edge_point_of(outline.vertex[after(&outline, facing)], &at, from, n);
 
     /* From here on in the world's directions. */
-    cairn_unit c = face->pose->c, s = face->pose->s;
-    n = cairn_unit2_turned(n, c, s);
-    from = cairn_offset2_turned(from, c, s);
+    n = cairn_unit2_turned(n, own->c, own->s);
+    from = cairn_offset2_turned(from, own->c, own->s);
+    from.x += own->x - a->x;
+    from.y += own->y - a->y;
     for (int i = 0; i < 2; i++) {
-        edge_point point = ends[i], other = ends[1 - i];
-        if ((point.along < 0 && other.along < 0) || (point.along > length && other.along > length)) {
+        edge_point point = ends[i], end = ends[1 - i];
+        if ((point.along < 0 && end.along < 0) || (point.along > length && end.along > length)) {
             continue;
         }
         if (point.along < 0) {
-            point = clipped(point, other, 0);
+            point = clipped(point, end, 0);
         } else if (point.along > length) {
-            point = clipped(point, other, length);
+            point = clipped(point, end, length);
         }
         if (point.separation > margin) {
             continue;
         }
         cairn_manifold_point *result = &out->points[out->count++];
         cairn_offset half = cairn_offset_half(point.separation);
-        result->x = face->from_a.x + from.x + cairn_offset_dot(point.along, half, -n.y, n.x);
-        result->y = face->from_a.y + from.y + cairn_offset_dot(point.along, half, n.x, n.y);
+        result->x = from.x + cairn_offset_dot(point.along, half, -n.y, n.x);
+        result->y = from.y + cairn_offset_dot(point.along, half, n.x, n.y);
         result->separation = point.separation;
-        result->feature = cairn_feature(edge, facing, i, face->swapped);
+        result->feature = cairn_feature(edge, facing, i, by->swapped);
     }
-    out->normal_x = face->swapped ? -n.x : n.x;
-    out->normal_y = face->swapped ? -n.y : n.y;
+    out->normal_x = by->swapped ? -n.x : n.x;
+    out->normal_y = by->swapped ? -n.y : n.y;
 }
 
+/* In two steps that do not lie on the stack together: the outlines of boxes are there. */
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_outline of_a, of_b;
-    int edge_a = 0, edge_b = 0;
+    reference by;
     out->count = 0;
-    a->shape->kind->outline(a->shape, &of_a);
-    b->shape->kind->outline(b->shape, &of_b);
-    relative at = seen_from(a, b);
-    cairn_offset from_a = deepest_axis(&of_a, &of_b, &at, margin, &edge_a);
-    if (from_a > margin) {
-        return;
-    }
-    relative back = turned_round(at, a, b);
-    cairn_offset from_b = deepest_axis(&of_b, &of_a, &back, margin, &edge_b);
-    if (from_b > margin) {
-        return;
-    }
-    out->separation = from_a > from_b ? from_a : from_b;
-    if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
-        reference face = { &of_b, b, { b->x - a->x, b->y - a->y }, edge_b, true };
-        clip(&face, &of_a, &back, margin, out);
-    } else {
-        reference face = { &of_a, a, { 0, 0 }, edge_a, false };
-        clip(&face, &of_b, &at, margin, out);
+    cairn_offset separation = find_reference(a, b, margin, &by);
+    if (separation <= margin) {
+        out->separation = separation;
+        clip(a, b, &by, margin, out);
     }
 }

@@ -157,7 +157,7 @@ typedef enum outcome { OUTCOME_MISS, OUTCOME_NEAR, OUTCOME_TOUCH } outcome;
  * `out` holds the contact as it was seen last before they touched, for a corner that is in already may have the wrong normal.
  * What is near the other one when the step ends has its contact too, for the forces that are not foreseen.
  */
-static outcome find_meeting(const course *a, const course *b, cairn_manifold *out)
+CAIRN_APART outcome find_meeting(const course *a, const course *b, cairn_manifold *out)
 {
     cairn_unit time = 0;
     bool near = false;

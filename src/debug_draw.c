@@ -111,7 +111,7 @@ cairn_status cairn_debug_draw_cells(cairn_world *world, const cairn_debug_draw *
     cairn_quadtree_walk walk;
     cairn_quadtree_walk_start(world->tree, &walk);
     do {
-        const cairn_quadtree_place *place = &walk.path[walk.depth];
+        const cairn_quadtree_place *place = &walk.place;
         const cairn_quadtree_cell *cell = &world->tree->cells[place->cell];
         if (cell->child == 0) {
             draw->cell(draw->context, cairn_vec2_of(place->x, place->y), place->size, walk.depth, cell->count);

@@ -151,9 +151,9 @@ static void split(const cairn_world *world, cairn_quadtree *tree, const cairn_qu
  * Split the cell if that helps and the pools allow it. It does not help where few bodies are small enough to be told
  * apart by it, or most lie in several quadrants.
  */
-static void refine(cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_walk *walk)
+CAIRN_APART void refine(cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_walk *walk)
 {
-    const cairn_quadtree_place *place = &walk->path[walk->depth];
+    const cairn_quadtree_place *place = &walk->place;
     cairn_quadtree_cell *cell = &tree->cells[place->cell];
     uint32_t count = cell->count;
     sorting s;
@@ -179,7 +179,7 @@ static bool is_last(cairn_real a, cairn_real b, cairn_real cell, cairn_real root
     return a >= cell || b >= cell || cell <= root;
 }
 
-static bool reports(const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_body *a, const cairn_body *b)
+CAIRN_APART bool reports(const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_body *a, const cairn_body *b)
 {
     return is_last(a->x - cairn_real_from_extent(a->extent_x), b->x - cairn_real_from_extent(b->extent_x), place->x, tree->x)
         && is_last(a->y - cairn_real_from_extent(a->extent_y), b->y - cairn_real_from_extent(b->extent_y), place->y, tree->y);
@@ -207,7 +207,7 @@ static void find_pairs(cairn_world *world)
     fill_root(world, tree);
     cairn_quadtree_walk_start(tree, &walk);
     do {
-        const cairn_quadtree_place *place = &walk.path[walk.depth];
+        const cairn_quadtree_place *place = &walk.place;
         refine(world, tree, &walk);
         if (tree->cells[place->cell].child == 0) {
             for (uint16_t entry = tree->cells[place->cell].first; entry != CAIRN_NONE; entry = tree->entries[entry].next) {

@@ -4,35 +4,47 @@
 void cairn_quadtree_walk_start(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
 {
     walk->depth = 0;
-    walk->path[0].x = tree->x;
-    walk->path[0].y = tree->y;
-    walk->path[0].size = cairn_real_from_int((int32_t)1 << tree->size_log2);
-    walk->path[0].cell = 0;
+    walk->column = walk->row = 0;
+    walk->place.x = tree->x;
+    walk->place.y = tree->y;
+    walk->place.size = cairn_real_from_int((int32_t)1 << tree->size_log2);
+    walk->place.cell = walk->path[0] = 0;
 }
 
 /* Quadrants are numbered from the lower left: 1 is to its right, 2 above it, 3 both. */
-static void enter(cairn_quadtree_walk *walk, uint16_t first_child, int quadrant)
+static void enter(const cairn_quadtree *tree, cairn_quadtree_walk *walk, uint16_t first_child, int quadrant)
 {
-    const cairn_quadtree_place *parent = &walk->path[walk->depth++];
-    cairn_quadtree_place *child = &walk->path[walk->depth];
-    child->size = cairn_real_half(parent->size);
-    child->x = (quadrant & 1) ? parent->x + child->size : parent->x;
-    child->y = (quadrant & 2) ? parent->y + child->size : parent->y;
-    child->cell = (uint16_t)(first_child + quadrant);
+    cairn_quadtree_place *place = &walk->place;
+    walk->depth++;
+    walk->column = 2 * walk->column + (quadrant & 1);
+    walk->row = 2 * walk->row + (quadrant >> 1);
+    place->size = cairn_real_half(place->size);
+    place->x = tree->x + walk->column * place->size; /* sizes are powers of two: exact in both arithmetics, by whichever way it came */
+    place->y = tree->y + walk->row * place->size;
+    place->cell = walk->path[walk->depth] = (uint16_t)(first_child + quadrant);
+}
+
+static void leave(cairn_quadtree_walk *walk)
+{
+    walk->depth--;
+    walk->column >>= 1;
+    walk->row >>= 1;
+    walk->place.size += walk->place.size;
 }
 
 bool cairn_quadtree_walk_next(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
 {
-    uint16_t child = tree->cells[walk->path[walk->depth].cell].child;
+    uint16_t child = tree->cells[walk->place.cell].child;
     if (child != 0) {
-        enter(walk, child, 0);
+        enter(tree, walk, child, 0);
         return true;
     }
     while (walk->depth > 0) {
-        uint16_t cell = walk->path[walk->depth--].cell;
-        uint16_t first = tree->cells[walk->path[walk->depth].cell].child;
+        uint16_t cell = walk->path[walk->depth];
+        leave(walk);
+        uint16_t first = tree->cells[walk->path[walk->depth]].child;
         if (cell - first < 3) {
-            enter(walk, first, cell - first + 1);
+            enter(tree, walk, first, cell - first + 1);
             return true;
         }
     }

@@ -13,10 +13,12 @@ typedef struct cairn_quadtree_place {
     uint16_t cell;
 } cairn_quadtree_place;
 
-/* The cells from the root to the present one. */
+/* The cells from the root to the present one, and where that is. */
 typedef struct cairn_quadtree_walk {
     int depth;
-    cairn_quadtree_place path[CAIRN_QUADTREE_DEPTH + 1];
+    cairn_quadtree_place place;
+    int32_t column, row; /* its corner, counted in its own size from the root's */
+    uint16_t path[CAIRN_QUADTREE_DEPTH + 1];
 } cairn_quadtree_walk;
 
 /* At the root. */

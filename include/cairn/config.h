@@ -26,4 +26,11 @@
 #define CAIRN_INLINE static inline
 #endif
 
+/* For functions with much on the stack beside the deepest calls of their caller: inlined, their frame would lie under those. */
+#if defined(__GNUC__)
+#define CAIRN_APART static __attribute__((noinline))
+#else
+#define CAIRN_APART static
+#endif
+
 #endif
