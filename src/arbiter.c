@@ -194,6 +194,10 @@ static void renew(cairn_world *world, cairn_arbiter *arbiter, unsigned marks)
         world->fresh++;
     }
     arbiter->flags = (uint8_t)(arbiter->flags | CAIRN_ARBITER_FRESH | marks);
+    if (marks & CAIRN_ARBITER_SOLVED) {
+        world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
+        world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
+    }
     world->uneven |= marks & CAIRN_ARBITER_SOLVED ? arbiter->block : 0;
 }
 
@@ -240,10 +244,12 @@ static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_
         expect_after(world, arbiter);
     }
     cairn_arbiter_prepare(world, arbiter, &manifold);
-    arbiter->path |= CAIRN_PATH_FRESH;
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
     bool solved = !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps;
     renew(world, arbiter, cairn_flag_if(solved, CAIRN_ARBITER_SOLVED) | cairn_flag_if(any_penetrates(&manifold), CAIRN_ARBITER_TOUCHING));
+    int path = cairn_arbiter_path_of(world, arbiter);
+    arbiter->path = (uint8_t)(path == CAIRN_PATH_NONE ? path : path | CAIRN_PATH_FRESH);
+    world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
 }
 
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
@@ -258,8 +264,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     }
     cairn_arbiter *arbiter = find(world, a, b);
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, &world->bodies[a], &world->bodies[b])) {
-        bool touches = arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && arbiter->rows[1].gap <= 0);
-        arbiter->path = CAIRN_PATH_NONE;
+        bool touches = !(arbiter->path & CAIRN_PATH_APART);
         renew(world, arbiter, CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
         return;
     }
@@ -322,15 +327,19 @@ void cairn_arbiters_begin(cairn_world *world)
 {
     world->expected = &world->first_found;
     world->fresh = 0;
+    world->slides = false;
     if (world->continuous == NULL || (!world->driven && world->fast == 0)) {
         return; /* what the solver leaves of an approach is too slow to be looked ahead for, unless something is fast */
     }
+    bool driven = world->driven;
     world->driven = false;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if ((arbiter->flags & (CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_SENSOR)) == CAIRN_ARBITER_TOUCHING
             && (cairn_body_is_active(&world->bodies[arbiter->a]) || cairn_body_is_active(&world->bodies[arbiter->b]))) {
             hold_back(world, arbiter);
+        } else if (driven) {
+            cairn_arbiter_doubt(arbiter); /* what is apart may be driven together */
         }
     }
 }
@@ -362,6 +371,7 @@ static bool is_current(const cairn_world *world, cairn_arbiter *arbiter, uint16_
     }
     unsigned touched = cairn_flag_if((arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED); /* and still does */
     arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)(CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHED)) | touched);
+    cairn_arbiter_doubt(arbiter);
     return true;
 }
 

@@ -235,6 +235,7 @@ void cairn_block_release(cairn_world *world)
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         if (cairn_block_of(arbiter) != 0) {
             leave(world, arbiter);
+            cairn_arbiter_doubt(arbiter);
         }
     }
     world->blocks = world->uneven = 0;

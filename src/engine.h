@@ -64,9 +64,9 @@ enum {
 #define CAIRN_UNEVEN 30
 #define CAIRN_UNEVEN_SHARE CAIRN_SHARE(1.0 / 31) /* the heavy one's share then */
 
-/* arbiter.path: which way its sweeps take in this step, see sweep.c */
+/* arbiter.path: which way its sweeps take, see sweep.c. Between two steps it is the next one's. */
 enum {
-    CAIRN_PATH_NONE,
+    CAIRN_PATH_NONE,      /* none; between two steps: its rows are to be made anew */
     CAIRN_PATH_CAREFUL,   /* anything */
     CAIRN_PATH_SLIDING,   /* anything, and levers follow the motion: see slide.c */
     CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
@@ -297,15 +297,12 @@ static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body);
 
 /* ---- hold.c: contacts at rest ---- */
-/* At the end of the step: follow the points of a contact by the motion of its bodies, without looking at their shapes. */
-void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter);
-/* A contact of two points holds while none of them is farther apart than this, m; one that does not hold for another reason says so by it. */
-#define CAIRN_HOLD_GAP CAIRN_MOTION(0.002)
+/* At the end of the step: follow the points of all contacts by the motion of their bodies, without looking at their shapes. */
+void cairn_arbiters_follow(cairn_world *world);
 /* Do the rows of the step before serve for this one? */
 static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
-    bool serves = arbiter->count > 1 ? arbiter->rows[0].gap <= CAIRN_HOLD_GAP : arbiter->slip < 0;
-    return serves && !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
+    return arbiter->path != CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
         && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
 }
 /* Not a slip that a contact may have: all of its past is forgotten. */
@@ -313,14 +310,18 @@ static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn
 /* How fast what has slipped is taken back, a sub-step. */
 static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const cairn_arbiter *arbiter)
 {
-    return arbiter->count < 2 || arbiter->slip == CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
+    return arbiter->count < 2 || arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
 }
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);
-/* In this step its rows are to be made anew. */
-void cairn_arbiter_doubt(cairn_arbiter *arbiter);
+/* In the next step its rows are to be made anew. */
+static inline void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->path = CAIRN_PATH_NONE; }
 /* Of a row that is made anew: what slipped before, if it is known. */
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
+
+/* ---- sweep.c ---- */
+/* Which way a contact takes by its rows, and whether it is apart: of arbiter.path. */
+int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter);
 
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
 /* The lever of an arm; 0 where the body cannot turn. */

@@ -14,13 +14,18 @@
 
 /* The rows serve while the surfaces have slipped by less than this, */
 #define HOLD_SLIP CAIRN_MOTION(0.002)
-/* no point is farther apart than CAIRN_HOLD_GAP, */
+/* no point is farther apart than this, */
+#define HOLD_GAP CAIRN_MOTION(0.002)
 /* and neither body has turned by more than this. */
 #define HOLD_TURN CAIRN_RADIANS(0.005)
 /* A row of one point serves for this way at most, in sizes of the smaller body. */
 #define HOLD_SHARE CAIRN_RATIO(1.0 / 256)
 /* A longer way in a step is no rest; and below it no sum of this file wraps. */
 #define HOLD_WAY CAIRN_MOTION(1.0 / 16)
+/* What is pushed out by more in a sub-step is looked at anew. */
+#define HOLD_PUSH CAIRN_MOTION(0.125)
+/* Bounds how far turning moves a surface, in ways of the radius of gyration: it lies within 2 sqrt(2) of these. */
+#define SWEPT 3
 /* Share of the resting load that is carried without sinking in. The rest keeps the points pressed together. */
 #define CARRIED CAIRN_RATIO(0.875)
 /* 1 / beta: from a push-out to a depth. */
@@ -29,16 +34,6 @@
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
 void cairn_arbiter_let_go(cairn_arbiter *arbiter) { arbiter->slip = CAIRN_LET_GO; }
-
-void cairn_arbiter_doubt(cairn_arbiter *arbiter)
-{
-    if (arbiter->count > 1) {
-        cairn_motion gap = arbiter->rows[0].gap; /* a larger one tells what came in flight */
-        arbiter->rows[0].gap = gap > CAIRN_HOLD_GAP ? gap : 2 * CAIRN_HOLD_GAP;
-    } else {
-        cairn_arbiter_let_go(arbiter);
-    }
-}
 
 /* A circle's radius, a polygon's; the longer side of a box. */
 static cairn_real size_of(const cairn_shape *shape) { return shape->size.x > shape->size.y ? shape->size.x : shape->size.y; }
@@ -54,11 +49,14 @@ static cairn_motion way_of_hold(const cairn_body *a, const cairn_body *b)
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    bool alone = !(arbiter->block & CAIRN_BLOCK_NUMBER);
     if (arbiter->count < 2) {
         arbiter->slip = -way_of_hold(a, b);
-        return;
-    }
-    if (!(arbiter->block & CAIRN_BLOCK_NUMBER)) {
+        if (alone) {
+            arbiter->past.swept.a = cairn_body_is_round(a) ? 0 : SWEPT;
+            arbiter->past.swept.b = cairn_body_is_round(b) ? 0 : SWEPT;
+        }
+    } else if (alone) {
         arbiter->past.heading.a = cairn_heading_of(a->angle);
         arbiter->past.heading.b = cairn_heading_of(b->angle);
     }
@@ -121,8 +119,22 @@ static void slip_by(cairn_arbiter *arbiter, cairn_motion way, bool fast)
         cairn_arbiter_let_go(arbiter);
         return;
     }
-    cairn_motion before = arbiter->slip == CAIRN_LET_GO ? 0 : arbiter->slip;
+    cairn_motion before = arbiter->slip >= CAIRN_LET_GO ? 0 : arbiter->slip;
     arbiter->slip = cairn_motion_clamp(before + way, HOLD_SLIP);
+}
+
+/*
+ * What hangs in the air holds too, as long as the two do not near one another: crates that fall together. Its slip then counts from the
+ * step in which the row was made, and from LET_GO's double, so that nothing is taken back of it.
+ */
+#define ALOFT CAIRN_MOTION(2)
+
+static bool is_aloft(const cairn_arbiter *arbiter) { return arbiter->slip > CAIRN_LET_GO + HOLD_SLIP; }
+
+static void drift_by(cairn_arbiter *arbiter, cairn_motion way)
+{
+    cairn_motion before = is_aloft(arbiter) ? arbiter->slip - ALOFT : arbiter->slip == CAIRN_LET_GO ? 0 : arbiter->slip;
+    arbiter->slip = ALOFT + cairn_motion_clamp(before + way, HOLD_SLIP);
 }
 
 /* The load follows the impulse with a time constant of four seconds up to CARRIED of it, and never exceeds it. */
@@ -143,26 +155,29 @@ static void settle_in_turn(const cairn_world *world, cairn_arbiter *arbiter, con
     }
 }
 
-/* Bounds how far turning has moved a surface: it lies within 2 sqrt(2) radii of gyration of the centre. A circle's does not move. */
-static cairn_motion swept(const cairn_body *body)
-{
-    return body->model->shape->kind->outline == NULL ? 0 : 3 * magnitude(body->dw);
-}
-
-static void follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+/* Of contacts of one point. True if the row may serve again. */
+static bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     cairn_row *row = &arbiter->rows[0];
     row->load = 0;
     if (arbiter->slip < 0) {
-        arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + swept(a) + swept(b);
+        arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + arbiter->past.swept.a * magnitude(a->dw)
+                       + arbiter->past.swept.b * magnitude(b->dw);
     }
-    if (arbiter->slip < 0) { /* else the gap stays what it was when the step began, which tells what came in flight */
-        relative_motion by = motion_of(a, b);
-        open_gap(row, cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y) + turning(&by, row->lever_a, row->lever_b));
+    if (arbiter->slip >= 0) { /* the gap stays what it was when the step began, which tells what came in flight */
+        return false;
     }
+    relative_motion by = motion_of(a, b);
+    cairn_motion eightfold = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
+    if (row->lever_a != 0 || row->lever_b != 0) { /* circles have none */
+        eightfold += turning(&by, row->lever_a, row->lever_b);
+    }
+    open_gap(row, eightfold);
+    return true;
 }
 
-static void follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+/* Of two. */
+static bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     /* Twice the speed up to which bodies may come to rest is fast. */
     cairn_motion fast = 16 * world->rest_limit * world->substeps;
@@ -170,27 +185,32 @@ static void follow_two(const cairn_world *world, cairn_arbiter *arbiter, const c
     cairn_motion apart = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(by.y, -by.x, arbiter->normal_x, arbiter->normal_y)
                         + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    bool doubtful = false;
+    bool doubtful = false, near = arbiter->friction_impulse != 0;
     for (cairn_row *row = arbiter->rows; row != arbiter->rows + 2; row++) {
         cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
         open_gap(row, eightfold);
-        doubtful = doubtful || magnitude(eightfold) > fast || row->gap > CAIRN_HOLD_GAP; /* a blow, or open */
+        near = near || row->impulse != 0 || row->gap <= 0 || row->gap <= -cairn_motion_half(eightfold); /* will touch within four steps */
+        doubtful = doubtful || magnitude(eightfold) > fast || row->gap > HOLD_GAP; /* a blow, or open */
         row->load = row->load < row->impulse ? row->load : row->impulse;
     }
-    slip_by(arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
-    if (doubtful || magnitude(arbiter->slip) >= HOLD_SLIP || !cairn_heading_is_near(arbiter->past.heading.a, a->angle, HOLD_TURN)
-        || !cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN)) {
-        cairn_arbiter_doubt(arbiter);
+    if (!near) {
+        drift_by(arbiter, cairn_motion_eighth(across));
+        doubtful = magnitude(arbiter->slip - ALOFT) >= HOLD_SLIP;
+    } else {
+        slip_by(arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
+        doubtful = doubtful || magnitude(arbiter->slip) >= HOLD_SLIP;
+        settle_in_turn(world, arbiter, a, b);
     }
-    settle_in_turn(world, arbiter, a, b);
+    return !doubtful && cairn_heading_is_near(arbiter->past.heading.a, a->angle, HOLD_TURN)
+        && cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN);
 }
 
 /* Blocks and impacts have their own ways; what is deeper than the push-out tells has no known gap. */
-static bool may_follow(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+static bool may_follow(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
-    cairn_motion deepest = -world->push_out_limit;
-    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || world->slop != 0
-        || !is_below(a->dx, a->dy, a->dw, b->dx, b->dy, b->dw, HOLD_WAY)) {
+    cairn_bulk bulk = cairn_bulk_of(a->dx, HOLD_WAY) | cairn_bulk_of(a->dy, HOLD_WAY) | cairn_bulk_of(a->dw, HOLD_WAY)
+                    | cairn_bulk_of(b->dx, HOLD_WAY) | cairn_bulk_of(b->dy, HOLD_WAY) | cairn_bulk_of(b->dw, HOLD_WAY);
+    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || !cairn_bulk_is_within(bulk, HOLD_WAY)) {
         return false;
     }
     for (int i = 0; i < arbiter->count; i++) {
@@ -201,16 +221,33 @@ static bool may_follow(const cairn_world *world, const cairn_arbiter *arbiter, c
     return arbiter->count != 0;
 }
 
-void cairn_arbiter_follow(const cairn_world *world, cairn_arbiter *arbiter)
+/* The way of the next step's sweeps, after this one's: mostly the same. */
+static int next_path(const cairn_world *world, const cairn_arbiter *arbiter, int before)
 {
-    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    if (!may_follow(world, arbiter, a, b)) {
-        cairn_arbiter_let_go(arbiter);
-        cairn_arbiter_doubt(arbiter);
-        arbiter->rows[0].load = arbiter->rows[1].load = 0;
-    } else if (arbiter->count > 1) {
-        follow_two(world, arbiter, a, b);
-    } else {
-        follow_one(arbiter, a, b);
+    bool apart = arbiter->rows[0].gap > 0 || (arbiter->count > 1 && arbiter->rows[1].gap > 0);
+    return !apart && (before == CAIRN_PATH_EVEN || before == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter);
+}
+
+void cairn_arbiters_follow(cairn_world *world)
+{
+    const cairn_motion deepest = world->push_out_limit < HOLD_PUSH ? -world->push_out_limit : -HOLD_PUSH;
+    const bool none = world->slop != 0;
+    const uint16_t *end = world->order + world->arbiter_count;
+    for (const uint16_t *at = world->order; at != end; at++) {
+        cairn_arbiter *arbiter = &world->arbiters[*at];
+        unsigned flags = arbiter->flags;
+        arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
+        if (!(flags & CAIRN_ARBITER_SOLVED)) {
+            continue;
+        }
+        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+        int before = arbiter->path & CAIRN_PATH_WAY;
+        arbiter->path = CAIRN_PATH_NONE;
+        if (none || !may_follow(arbiter, a, b, deepest)) {
+            cairn_arbiter_let_go(arbiter);
+            arbiter->rows[0].load = arbiter->rows[1].load = 0;
+        } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b) : follow_one(arbiter, a, b)) {
+            arbiter->path = (uint8_t)next_path(world, arbiter, before);
+        }
     }
 }

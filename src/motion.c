@@ -236,17 +236,6 @@ static void straighten(const cairn_world *world, cairn_body *body)
     body->dy -= cairn_motion_half(gy * world->substeps);
 }
 
-static void follow_contacts(cairn_world *world)
-{
-    for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        arbiter->flags &= (uint8_t)~CAIRN_ARBITER_FRESH;
-        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
-            cairn_arbiter_follow(world, arbiter);
-        }
-    }
-}
-
 void cairn_bodies_finish(cairn_world *world)
 {
     mark_held(world);
@@ -275,7 +264,7 @@ void cairn_bodies_finish(cairn_world *world)
         }
         body->ux = body->uy = body->uw = 0;
     }
-    follow_contacts(world);
+    cairn_arbiters_follow(world);
     for (uint16_t i = 0; i < world->body_end; i++) { /* now, since the impact phase comes before the next start */
         cairn_body *body = &world->bodies[i];
         if (body->flags & CAIRN_BODY_USED) {

@@ -62,8 +62,8 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     if (!kept) {
         arbiter->friction_impulse = 0;
     }
-    if (!kept || old_count < 2) {
-        arbiter->slip = 0; /* of one point it means something else */
+    if (!kept || old_count < 2 || arbiter->slip > CAIRN_LET_GO) {
+        arbiter->slip = 0; /* of one point it means something else, and in the air */
     } else if (old_count < 2) {
         cairn_arbiter_let_go(arbiter); /* where it stuck is not known */
     }

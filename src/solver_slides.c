@@ -102,6 +102,7 @@ static void advance(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
+        body->flags &= (uint16_t)~CAIRN_BODY_MET;
         if (cairn_body_is_active(body)) {
             cairn_body_limit_speed(world, body);
             body->dx += body->vx;

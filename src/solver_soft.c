@@ -231,34 +231,31 @@ static void solve(cairn_world *world)
 {
     cairn_motion last_gx = 0, last_gy = 0;
     const fall f = fall_of(world);
-    bool slides = false;
     if (world->springs != NULL) {
         world->springs->kind->prepare(world);
     }
     if (world->uneven && world->block != NULL) {
         world->block->find(world);
+        cairn_sweep_choose_again(world);
     }
     for (int k = 0; k < world->substeps; k++) {
         if (world->bounce != NULL) {
             world->bounce->impact(world, k);
+            cairn_sweep_choose_again(world); /* impacts make rows anew */
         }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
-            slides = cairn_sweep_choose(world);
             start(world, &f, gx, gy);
             cairn_sweep_warm_start(world);
             if (world->blocks != 0) {
                 world->block->warm_start(world);
             }
         } else {
-            if (world->bounce != NULL) {
-                slides = cairn_sweep_choose(world); /* impacts make rows anew */
-            }
             if (world->fast != 0) {
                 for_each_solved(world, land);
             }
             repeat_all(world, gx - last_gx, gy - last_gy);
-            if (slides) {
+            if (world->slides) {
                 cairn_sweep_push_sliding(world);
             }
         }
@@ -275,7 +272,7 @@ static void solve(cairn_world *world)
             world->block->biased_pass(world);
         }
         advance(world);
-        if (slides) {
+        if (world->slides) {
             cairn_sweep_slide(world);
         }
         cairn_sweep_relax(world, k);

@@ -235,7 +235,7 @@ CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
 
 /* ---- over the world ---- */
 
-static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
+int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     if (!(arbiter->flags & CAIRN_ARBITER_SOLVED) || (arbiter->block & CAIRN_BLOCK_NUMBER)) {
         return CAIRN_PATH_NONE;
@@ -275,20 +275,16 @@ static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter
     return cairn_size_is_far_below(cairn_size_with(cairn_size_with(size, a->dw), b->dw), gap);
 }
 
-bool cairn_sweep_choose(cairn_world *world)
+void cairn_sweep_choose_again(cairn_world *world)
 {
     bool any_slides = false;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        int path = path_of(world, arbiter);
+        int path = cairn_arbiter_path_of(world, arbiter);
         arbiter->path = (uint8_t)(path == CAIRN_PATH_NONE ? CAIRN_PATH_NONE : path | (arbiter->path & CAIRN_PATH_FRESH));
-        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
-            world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
-            world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
-        }
         any_slides = any_slides || cairn_arbiter_is_sliding(arbiter);
     }
-    return any_slides;
+    world->slides = any_slides;
 }
 
 /*

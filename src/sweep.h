@@ -5,8 +5,8 @@
 #include "engine.h"
 
 /* ---- sweep.c ---- */
-/* Choose each contact's way: once a step, and again where contacts have changed within one. True if any slides. */
-bool cairn_sweep_choose(cairn_world *world);
+/* Choose each contact's way again, where contacts have changed since they were found. */
+void cairn_sweep_choose_again(cairn_world *world);
 /* Apply the impulses of the step before. */
 void cairn_sweep_warm_start(cairn_world *world);
 /* Soft and pushing out, without friction. In the passes of a sub-step, counted from 0. */

@@ -42,6 +42,9 @@ typedef struct cairn_arbiter {
             cairn_heading a, b; /* of the bodies when the rows were made */
         } heading;
         struct {
+            uint16_t a, b; /* of one point: how far turning may move the surface, in ways of the radius of gyration */
+        } swept;
+        struct {
             uint16_t mark;    /* tells whether the block is the one of the step before */
             uint8_t exponent; /* of all its impulses: times 2^exponent */
         } block;              /* in a block, where rows do not hold */

@@ -104,6 +104,7 @@ typedef struct cairn_world {
     bool held_back; /* a body is driven against another one that it touches */
     int8_t error;
     uint8_t blocks; /* of this step: the highest number */
+    bool slides;    /* a contact does in this step, see slide.c */
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */
