@@ -332,9 +332,8 @@ static void relax_block(cairn_world *world, cairn_block *block)
 static void for_each_block(cairn_world *world, void (*pass)(cairn_world *world, cairn_block *block))
 {
     for (uint8_t number = 1; number <= world->blocks; number++) {
-        cairn_block block;
-        if (gather(world, number, &block)) {
-            pass(world, &block);
+        if (gather(world, number, world->block)) {
+            pass(world, world->block);
         } else {
             cairn_block_dissolve(world, number);
         }
@@ -345,4 +344,18 @@ static void warm_start(cairn_world *world) { for_each_block(world, warm_start_bl
 static void biased_pass(cairn_world *world) { for_each_block(world, biased_block); }
 static void relax_pass(cairn_world *world) { for_each_block(world, relax_block); }
 
-const cairn_block_class cairn_blocks = { cairn_block_find, warm_start, biased_pass, relax_pass, cairn_block_release };
+static const cairn_block_class block_class = { cairn_block_find, warm_start, biased_pass, relax_pass, cairn_block_release };
+
+cairn_status cairn_blocks_enable(cairn_world *world, cairn_block *memory)
+{
+    if (world == NULL) {
+        return CAIRN_ERROR_NULL;
+    }
+    if (memory == NULL || world->locked) {
+        return cairn_fail(world, memory == NULL ? CAIRN_ERROR_NULL : CAIRN_ERROR_LOCKED);
+    }
+    memset(memory, 0, sizeof *memory);
+    memory->kind = &block_class;
+    world->block = memory;
+    return CAIRN_OK;
+}

@@ -3,6 +3,7 @@
  * bias; nothing is kept from the step before. It uses the rows of the soft solver, with h = dt.
  */
 #include "engine.h"
+#include <cairn/block.h>
 #include <cairn/solver.h>
 #include <cairn/spring.h>
 
@@ -144,7 +145,7 @@ cairn_status cairn_world_use_slides_solver(cairn_world *world, int passes)
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
     if (world->block != NULL) {
-        world->block->release(world); /* their impulses have exponents of their own */
+        world->block->kind->release(world); /* their impulses have exponents of their own */
     }
     world->solver = &cairn_solver_slides;
     world->passes = (uint8_t)passes;

@@ -8,6 +8,7 @@
  * sub-steps the warm start repeats each body's last velocity change: v' = v + (v - u).
  */
 #include "sweep.h"
+#include <cairn/block.h>
 #include <cairn/spring.h>
 
 static void for_each_solved(cairn_world *world, void (*pass)(const cairn_world *world, cairn_arbiter *arbiter))
@@ -235,7 +236,7 @@ static void solve(cairn_world *world)
         world->springs->kind->prepare(world);
     }
     if (world->uneven && world->block != NULL) {
-        world->block->find(world);
+        world->block->kind->find(world);
         cairn_sweep_choose_again(world);
     }
     for (int k = 0; k < world->substeps; k++) {
@@ -248,7 +249,7 @@ static void solve(cairn_world *world)
             start(world, &f, gx, gy);
             cairn_sweep_warm_start(world);
             if (world->blocks != 0) {
-                world->block->warm_start(world);
+                world->block->kind->warm_start(world);
             }
         } else {
             if (world->fast != 0) {
@@ -269,7 +270,7 @@ static void solve(cairn_world *world)
         }
         cairn_sweep_biased(world, k);
         if (world->blocks != 0) {
-            world->block->biased_pass(world);
+            world->block->kind->biased_pass(world);
         }
         advance(world);
         if (world->slides) {
@@ -277,7 +278,7 @@ static void solve(cairn_world *world)
         }
         cairn_sweep_relax(world, k);
         if (world->blocks != 0) {
-            world->block->relax_pass(world);
+            world->block->kind->relax_pass(world);
         }
     }
     forget_meetings(world);

@@ -48,7 +48,7 @@ static void rescale(cairn_world *world, cairn_wide old)
 }
 
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
-                                   const cairn_continuous_class *continuous, const cairn_block_class *block)
+                                   const cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
         || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
@@ -71,7 +71,6 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     }
     world->solver = solver;
     world->continuous = continuous;
-    world->block = block;
     world->broad = &cairn_broad_pairs;
     world->rate = CAIRN_F(60);
     world->push_out = CAIRN_F(3);

@@ -16,6 +16,9 @@ static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_sto
     if (status == CAIRN_OK && scene->broad == CAIRN_SCENE_QUADTREE) {
         status = storage->tree == NULL ? CAIRN_ERROR_NULL : cairn_quadtree_enable(world, storage->tree, cairn_vec2_of(0, 0), 6, 6);
     }
+    if (status == CAIRN_OK && storage->blocks != NULL) {
+        status = cairn_blocks_enable(world, storage->blocks);
+    }
     if (status == CAIRN_OK && scene->sleep) {
         status = cairn_sleep_enable(world);
     }

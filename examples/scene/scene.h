@@ -47,11 +47,12 @@ typedef struct cairn_scene {
     const cairn_scene_spring *springs;
 } cairn_scene;
 
-/* The memory a scene is built in. Springs and tree may be null where the scene has none. */
+/* The memory a scene is built in. Springs, tree and blocks may be null where the scene has none or needs none. */
 typedef struct cairn_scene_storage {
     const cairn_world_storage *world;
     const cairn_spring_storage *springs;
     const cairn_quadtree_storage *tree;
+    cairn_block *blocks;
 } cairn_scene_storage;
 
 /*

@@ -4,6 +4,7 @@
 
 #include "arbiter.h"
 #include "arith.h"
+#include "block.h"
 #include "body.h"
 #include "debug_draw.h"
 #include "material.h"

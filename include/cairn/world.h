@@ -1,7 +1,7 @@
 /*
  * The world: bodies, arbiters, gravity and time. The game declares its memory with CAIRN_WORLD; the library owns none.
  * What a world can do beyond bodies and contacts is added by a call: springs (spring.h), the quadtree (quadtree.h),
- * sleep (sleep.h), the slides' solver (solver.h). What is not called is not linked.
+ * sleep (sleep.h), blocks for heavy bodies on light ones (block.h), the slides' solver (solver.h). What is not called is not linked.
  */
 #ifndef CAIRN_WORLD_H
 #define CAIRN_WORLD_H
@@ -17,6 +17,7 @@ extern "C" {
 struct cairn_world;
 struct cairn_spring_pool;
 struct cairn_quadtree;
+struct cairn_block;
 
 /* How constraints are solved, given the arbiters of this step: from velocities and forces to new poses. */
 typedef struct cairn_solver_class {
@@ -48,8 +49,6 @@ typedef struct cairn_block_class {
     void (*relax_pass)(struct cairn_world *world);
     void (*release)(struct cairn_world *world); /* there are none from now on */
 } cairn_block_class;
-
-extern const cairn_block_class cairn_blocks;
 
 /* What sleep adds to the step. */
 typedef struct cairn_sleep_class {
@@ -89,7 +88,7 @@ typedef struct cairn_world {
     const cairn_bounce_class *bounce;
     const cairn_sleep_class *sleep;
     const cairn_continuous_class *continuous;
-    const cairn_block_class *block;
+    struct cairn_block *block; /* null: without, see block.h */
     struct cairn_spring_pool *springs;
     struct cairn_quadtree *tree;
 
@@ -143,16 +142,15 @@ extern const cairn_solver_class cairn_solver_soft;
 
 /*
  * Make an empty world with a solver of your choice, and with continuous collision (&cairn_continuous) or, where nothing
- * is fast, without (null); likewise with blocks for heavy bodies on light ones (&cairn_blocks) or without. Null if storage
- * or solver is null or a capacity is zero.
+ * is fast, without (null). Null if storage or solver is null or a capacity is zero.
  */
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
-                                   const cairn_continuous_class *continuous, const cairn_block_class *block);
+                                   const cairn_continuous_class *continuous);
 
 /* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
 {
-    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous, &cairn_blocks);
+    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous);
 }
 
 /* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */

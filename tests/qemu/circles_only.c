@@ -13,7 +13,7 @@ static const cairn_body_model marble = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &circle, 
 int main(void)
 {
     cairn_port_init();
-    cairn_world *world = cairn_world_init_with(&yard, cairn_vec2_of(0, CAIRN_F(-10)), &cairn_solver_soft, NULL, NULL);
+    cairn_world *world = cairn_world_init_with(&yard, cairn_vec2_of(0, CAIRN_F(-10)), &cairn_solver_soft, NULL);
     const cairn_body_id body = cairn_body_create(world, &marble, cairn_vec2_of(0, CAIRN_F(10)), 0);
     for (int step = 0; step < STEPS; step++)
         (void)cairn_world_step(world);

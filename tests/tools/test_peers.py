@@ -75,10 +75,11 @@ def test_sleep_and_springs_by_frequency_and_many_corners_are_refused(stack: scen
 
 
 def test_cairn_links_only_what_a_scene_uses(stack: scene.Scene) -> None:
-    assert "{NULL}" in peers.features(stack)
-    assert "{peer_use_springs, NULL}" in peers.features(scene_of("curtain150"))
+    assert "{NULL}" in peers.features(stack, "")
+    assert "{peer_use_springs, NULL}" in peers.features(scene_of("curtain150"), "")
     both = replace(stack, solver="slides", broad_phase="quadtree")
-    assert "{peer_use_quadtree, peer_use_slides, NULL}" in peers.features(both)
+    assert "{peer_use_quadtree, peer_use_slides, NULL}" in peers.features(both, "")
+    assert "{peer_use_blocks, NULL}" in peers.features(stack, "CAIRN_BLOCKS(world_blocks);")
 
 
 def test_the_output_is_read_and_a_lost_body_is_told() -> None:

@@ -2,6 +2,7 @@
 #define YARD_ARBITERS 48
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
+#include <cairn/block.h>
 #include <cairn/sleep.h>
 #include <cairn/solver.h>
 
@@ -10,9 +11,12 @@ static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
 static const cairn_shape plank = CAIRN_BOX(CAIRN_F(5), CAIRN_F(0.5));
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 
+CAIRN_BLOCKS(block_memory);
+
 static void open_with_ground(void)
 {
     open_yard(CAIRN_F(-10));
+    ASSERT_OK(cairn_blocks_enable(world, &block_memory));
     put_static(&ground, 0, CAIRN_F(-0.5));
 }
 
@@ -216,6 +220,7 @@ void test_a_platform_lifts_a_heavy_box_on_a_light_one(void)
 void test_impacts_keep_momentum_and_leave_together_without_restitution(void)
 {
     open_yard(0);
+    ASSERT_OK(cairn_blocks_enable(world, &block_memory));
     yard_def def = def_at(&box, 0, 0);
     def.velocity = at(CAIRN_F(3), 0);
     def.density = cairn_wide_from_int(1000);
@@ -265,9 +270,29 @@ void test_the_slides_solver_finds_no_blocks_left(void)
     run(1);
 }
 
+void test_blocks_need_a_world_and_memory(void)
+{
+    TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_NULL, cairn_blocks_enable(NULL, &block_memory));
+    ASSERT_REFUSED(CAIRN_ERROR_NULL, cairn_blocks_enable(world, NULL));
+}
+
+void test_blocks_may_be_enabled_on_a_column_that_stands_already(void)
+{
+    open_yard(CAIRN_F(-10));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    cairn_body_id light = put(&box, 0, CAIRN_F(0.5));
+    put_heavy(&box, 0, CAIRN_F(1.5), 100);
+    run(30);
+    TEST_ASSERT_EQUAL_INT(0, arbiters_in_blocks());
+    ASSERT_OK(cairn_blocks_enable(world, &block_memory));
+    run(60);
+    TEST_ASSERT_EQUAL_INT(2, arbiters_in_blocks());
+    ASSERT_NEAR(0.001, 0.5, y_of(light));
+}
+
 void test_a_world_without_blocks_leaves_all_to_the_sweeps(void)
 {
-    world = cairn_world_init_with(&yard, at(0, CAIRN_F(-10)), &cairn_solver_soft, NULL, NULL);
+    open_yard(CAIRN_F(-10));
     put_static(&ground, 0, CAIRN_F(-0.5));
     cairn_body_id light = put(&box, 0, CAIRN_F(0.5));
     put_heavy(&box, 0, CAIRN_F(1.5), 100);

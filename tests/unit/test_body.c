@@ -702,11 +702,14 @@ void test_a_density_of_less_than_one_is_kept_in_a_constant_model(void)
     ASSERT_NEAR(LSB, 0.24, cairn_wide_to_real(cairn_body_mass(world, body)));
 }
 
+CAIRN_BLOCKS(blocks);
+
 /* The load on a body that grows heavy is felt at once: both still lie there. */
 void test_a_body_that_grows_heavy_in_a_stack_stays_on_it(void)
 {
     cairn_body_model heavy = cairn_body_model_default(&box);
     heavy.density = cairn_wide_from_int(100);
+    ASSERT_OK(cairn_blocks_enable(world, &blocks));
     ASSERT_OK(cairn_world_set_gravity(world, at(0, CAIRN_F(-10))));
     cairn_body_id top = put(&box, 0, CAIRN_F(1)), table = put_static(&plank, 0, CAIRN_F(-0.75));
     run(60);

@@ -318,7 +318,7 @@ void test_a_sensor_sees_what_flies_through_it_in_one_step(void)
 /* Where nothing but plain walls is hit, contacts of the step's start do as well: a world may be made without the stage. */
 void test_a_world_without_the_continuous_stage_still_stops_bullets_at_a_wall(void)
 {
-    world = cairn_world_init_with(&yard, at(0, 0), &cairn_solver_soft, NULL, NULL);
+    world = cairn_world_init_with(&yard, at(0, 0), &cairn_solver_soft, NULL);
     TEST_ASSERT_NOT_NULL(world);
     put_static(&sheet, 0, 0);
     for (int i = 0; i < 8; i++) {

@@ -6,6 +6,7 @@ static const cairn_shape peg = CAIRN_CIRCLE(CAIRN_F(0.1));
 CAIRN_SPRINGS(coils, 2);
 CAIRN_SPRINGS(more_coils, 2);
 CAIRN_QUADTREE(tree, 16, 64);
+CAIRN_BLOCKS(blocks);
 
 static cairn_body_id body, other;
 static cairn_spring_id spring;
@@ -52,6 +53,7 @@ static bool change_the_world(void *context, cairn_body_id id)
     ASSERT_REFUSED(CAIRN_ERROR_LOCKED, cairn_sleep_disable(world));
     ASSERT_REFUSED(CAIRN_ERROR_LOCKED, cairn_springs_enable(world, &more_coils));
     ASSERT_REFUSED(CAIRN_ERROR_LOCKED, cairn_quadtree_enable(world, &tree, at(0, 0), 6, 6));
+    ASSERT_REFUSED(CAIRN_ERROR_LOCKED, cairn_blocks_enable(world, &blocks));
     return true;
 }
 

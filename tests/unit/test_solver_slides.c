@@ -35,7 +35,7 @@ void test_passes_outside_of_1_to_100_are_refused(void)
 
 void test_a_world_may_be_made_with_it(void)
 {
-    world = cairn_world_init_with(&yard, at(0, CAIRN_F(-10)), &cairn_solver_slides, NULL, NULL);
+    world = cairn_world_init_with(&yard, at(0, CAIRN_F(-10)), &cairn_solver_slides, NULL);
     TEST_ASSERT_NOT_NULL(world);
     put_floor();
     cairn_body_id id = put(&box, 0, CAIRN_F(0.5));

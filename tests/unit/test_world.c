@@ -48,7 +48,7 @@ void test_init_refuses_capacities_of_zero_and_above_65000(void)
 
 void test_init_refuses_a_missing_solver_and_gravity_above_2000(void)
 {
-    TEST_ASSERT_NULL(cairn_world_init_with(&yard, cairn_vec2_of(0, 0), NULL, NULL, NULL));
+    TEST_ASSERT_NULL(cairn_world_init_with(&yard, cairn_vec2_of(0, 0), NULL, NULL));
     TEST_ASSERT_NULL(cairn_world_init(&yard, cairn_vec2_of(CAIRN_F(2001), 0)));
     TEST_ASSERT_NULL(cairn_world_init(&yard, cairn_vec2_of(0, CAIRN_F(-2001))));
     TEST_ASSERT_NOT_NULL(cairn_world_init(&yard, cairn_vec2_of(CAIRN_F(2000), CAIRN_F(-2000))));

@@ -148,7 +148,7 @@ def memory_record(rows: list[memory.Row]) -> list[dict[str, Any]]:
 
 def memory_tables(rows: list[memory.Row]) -> list[Table]:
     """Sizes, then stacks; a column a core."""
-    pools = f"the world with the pools that {memory.WORLD} needs in {2 * memory.STEPS} steps; a block lies on the stack"
+    pools = f"the world with the pools that {memory.WORLD} needs in {2 * memory.STEPS} steps"
     titles = {"size": ("Bytes of RAM", pools),
               "stack": ("Bytes of stack of a step", f"the most of steps 1 to {memory.STEPS}")}  # fmt: skip
     grids = []

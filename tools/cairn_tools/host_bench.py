@@ -124,7 +124,8 @@ def settings(versions: dict[str, str]) -> dict[str, str]:
 
 def build(loaded: scene.Scene, folder: Path) -> None:
     """Links the programs of a scene into the folder."""
-    text, own = peers.table(loaded), engine.table(loaded, "cairn_the_scene") + peers.features(loaded)
+    text, own = peers.table(loaded), engine.table(loaded, "cairn_the_scene")
+    own += peers.features(loaded, own)
     with engine.lock("peers-host"):
         for name, content in (("peer.c", text), ("cairn.c", own)):
             (BUILD / "tables").mkdir(parents=True, exist_ok=True)

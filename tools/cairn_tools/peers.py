@@ -123,7 +123,8 @@ def measure(scene: Scene, core: str, versions: dict[str, str]) -> Iterator[Cost]
 def _build(scene: Scene, core: str, folder: Path) -> dict[str, Sizes]:
     """Links the images of a scene into the folder; gives their sizes."""
     emulated = engine.CORES[core]
-    text, own = table(scene), engine.table(scene, "cairn_the_scene") + features(scene)
+    text, own = table(scene), engine.table(scene, "cairn_the_scene")
+    own += features(scene, own)
     with engine.lock(f"peers-{core}"):
         build = PLACE / core
         for name, content in (("peer.c", text), ("cairn.c", own)):
@@ -232,10 +233,11 @@ def table(scene: Scene) -> str:
     return "\n".join(lines) + "\n"
 
 
-def features(scene: Scene) -> str:
+def features(scene: Scene, table: str) -> str:
     """What cairn.c is to use, behind Cairn's own table: see tools/peers/peer_cairn.h."""
     wanted = {
         "peer_use_quadtree": scene.broad_phase == "quadtree",
+        "peer_use_blocks": "CAIRN_BLOCKS(" in table,
         "peer_use_slides": scene.solver == "slides",
         "peer_use_springs": bool(scene.springs),
     }

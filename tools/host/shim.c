@@ -28,6 +28,7 @@ struct shim_world {
     cairn_spring_storage springs;
     cairn_mesh_storage meshes;
     cairn_quadtree_storage tree;
+    cairn_block blocks;
     cairn_world *world;
     list shapes, materials, models;
 };
@@ -173,7 +174,7 @@ shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double
     w->meshes.springs = (uint16_t)springs;
     w->meshes.entry_count = (uint32_t)springs * MESH_ENTRIES;
     w->world = has_memory(w) ? cairn_world_init(&w->storage, pair_of(gravity_x, gravity_y)) : NULL;
-    if (w->world == NULL || (springs > 0 && cairn_springs_enable(w->world, &w->springs) != CAIRN_OK)) {
+    if (w->world == NULL || cairn_blocks_enable(w->world, &w->blocks) != CAIRN_OK || (springs > 0 && cairn_springs_enable(w->world, &w->springs) != CAIRN_OK)) {
         shim_destroy(w);
         return NULL;
     }

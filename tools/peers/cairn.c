@@ -51,6 +51,8 @@ bool peer_use_quadtree(void)
     return cairn_quadtree_enable(world, cairn_the_scene_storage.tree, cairn_vec2_of(0, 0), 6, 6) == CAIRN_OK;
 }
 
+bool peer_use_blocks(void) { return cairn_blocks_enable(world, cairn_the_scene_storage.blocks) == CAIRN_OK; }
+
 bool peer_use_slides(void) { return cairn_world_use_slides_solver(world, cairn_the_scene.passes) == CAIRN_OK; }
 
 bool peer_build(void)

@@ -10,6 +10,7 @@ typedef bool (*peer_feature)(void);
 
 bool peer_use_springs(void);
 bool peer_use_quadtree(void);
+bool peer_use_blocks(void);
 bool peer_use_slides(void);
 
 /* Ended by null; written by tools/cairn_tools/peers.py behind the table of `tools/cairn table`. */

@@ -36,7 +36,8 @@ static int run(const cairn_scene *scene, const runner_options *options)
         room(1, sizeof(cairn_quadtree)), room(cells, sizeof(cairn_quadtree_cell)), room(entries, sizeof(cairn_quadtree_entry)),
         cells, entries,
     };
-    const cairn_scene_storage storage = {&world, &springs, &tree};
+    cairn_block *blocks = runner_is_uneven(scene) ? room(1, sizeof *blocks) : NULL;
+    const cairn_scene_storage storage = {&world, &springs, &tree, blocks};
     const runner_memory memory = {
         room(scene->body_count, sizeof(cairn_body_id)),
         room(scene->body_count, sizeof(runner_turn)),
@@ -54,6 +55,7 @@ static int run(const cairn_scene *scene, const runner_options *options)
     free(tree.tree);
     free(tree.cells);
     free(tree.entries);
+    free(blocks);
     free(memory.ids);
     free(memory.turns);
     free(memory.angles);

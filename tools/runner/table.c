@@ -172,7 +172,7 @@ static void scene_itself(const cairn_scene *scene, const char *name)
 
 static void memory(const cairn_scene *scene, const char *name)
 {
-    const bool tree = scene->broad == CAIRN_SCENE_QUADTREE;
+    const bool tree = scene->broad == CAIRN_SCENE_QUADTREE, blocks = runner_is_uneven(scene);
     printf("/* The memory to build it in. */\nCAIRN_WORLD(world, %u, %u);\n", scene->body_count, runner_arbiters(scene));
     if (scene->spring_count > 0) {
         printf("CAIRN_SPRINGS(world_springs, %u);\n", scene->spring_count);
@@ -180,8 +180,11 @@ static void memory(const cairn_scene *scene, const char *name)
     if (tree) {
         printf("CAIRN_QUADTREE(world_quadtree, %u, %u);\n", runner_cells(scene), runner_entries(scene));
     }
-    printf("\nextern const cairn_scene_storage %s_storage;\nconst cairn_scene_storage %s_storage = { &world, %s, %s };\n", name, name,
-           scene->spring_count > 0 ? "&world_springs" : "NULL", tree ? "&world_quadtree" : "NULL");
+    if (blocks) {
+        printf("CAIRN_BLOCKS(world_blocks);\n");
+    }
+    printf("\nextern const cairn_scene_storage %s_storage;\nconst cairn_scene_storage %s_storage = { &world, %s, %s, %s };\n", name, name,
+           scene->spring_count > 0 ? "&world_springs" : "NULL", tree ? "&world_quadtree" : "NULL", blocks ? "&world_blocks" : "NULL");
 }
 
 /* Whether a text can be the name of a C constant here: letters, digits and _, the first no digit. */
