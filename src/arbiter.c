@@ -247,8 +247,7 @@ static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_
     bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
     bool solved = !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps;
     renew(world, arbiter, cairn_flag_if(solved, CAIRN_ARBITER_SOLVED) | cairn_flag_if(any_penetrates(&manifold), CAIRN_ARBITER_TOUCHING));
-    int path = cairn_arbiter_path_of(world, arbiter);
-    arbiter->path = (uint8_t)(path == CAIRN_PATH_NONE ? path : path | CAIRN_PATH_FRESH);
+    arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
 }
 

@@ -69,13 +69,17 @@ enum {
     CAIRN_PATH_NONE,      /* none; between two steps: its rows are to be made anew */
     CAIRN_PATH_CAREFUL,   /* anything */
     CAIRN_PATH_SLIDING,   /* anything, and levers follow the motion: see slide.c */
-    CAIRN_PATH_ON_STATIC, /* all of a change is b's, and no point is apart */
-    CAIRN_PATH_EVEN,      /* bodies of one mass, each takes half, and no point is apart */
-    CAIRN_PATH_SHARED,    /* any bodies, points may be apart */
-    CAIRN_PATH_WAY = 7,
-    CAIRN_PATH_FRESH = 8,  /* and: the rows are not held, but made in this step */
-    CAIRN_PATH_APART = 16, /* and: no point touched when the step began */
-    CAIRN_PATH_FORMER = 32 /* while blocks are looked for: it was in one */
+    CAIRN_PATH_ON_STATIC, /* two points, none of them apart, and all of a change is b's */
+    CAIRN_PATH_EVEN,      /* the same of bodies of one mass, each takes half */
+    CAIRN_PATH_SHARED,    /* two points, and any bodies; points may be apart */
+    CAIRN_PATH_SINGLE,    /* the same of one point */
+    CAIRN_PATH_CENTRAL,   /* the same of one point on the line through both centres: circles */
+    CAIRN_PATH_EVEN_CENTRAL, /* the same of bodies of one mass */
+    CAIRN_PATH_WAY = 15,
+    CAIRN_PATH_FREE = 16,   /* and: a is not static */
+    CAIRN_PATH_FRESH = 32,  /* and: the rows are not held, but made in this step */
+    CAIRN_PATH_APART = 64,  /* and: no point touched when the step began */
+    CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 
 static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; }
@@ -320,8 +324,8 @@ static inline void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->path =
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
 
 /* ---- sweep.c ---- */
-/* Which way a contact takes by its rows, and whether it is apart: of arbiter.path. */
-int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter);
+/* A contact's path by its rows; fresh is CAIRN_PATH_FRESH or 0. */
+uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter, unsigned fresh);
 
 /* ---- rows.c: one contact point as a row of the constraint system ---- */
 /* The lever of an arm; 0 where the body cannot turn. */

@@ -208,9 +208,9 @@ static bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const c
 /* Blocks and impacts have their own ways; what is deeper than the push-out tells has no known gap. */
 static bool may_follow(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
-    cairn_bulk bulk = cairn_bulk_of(a->dx, HOLD_WAY) | cairn_bulk_of(a->dy, HOLD_WAY) | cairn_bulk_of(a->dw, HOLD_WAY)
-                    | cairn_bulk_of(b->dx, HOLD_WAY) | cairn_bulk_of(b->dy, HOLD_WAY) | cairn_bulk_of(b->dw, HOLD_WAY);
-    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || !cairn_bulk_is_within(bulk, HOLD_WAY)) {
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(a->dx), a->dy), a->dw);
+    size = cairn_size_with(cairn_size_with(cairn_size_with(size, b->dx), b->dy), b->dw);
+    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || !cairn_size_is_below(size, HOLD_WAY)) {
         return false;
     }
     for (int i = 0; i < arbiter->count; i++) {
@@ -222,10 +222,11 @@ static bool may_follow(const cairn_arbiter *arbiter, const cairn_body *a, const 
 }
 
 /* The way of the next step's sweeps, after this one's: mostly the same. */
-static int next_path(const cairn_world *world, const cairn_arbiter *arbiter, int before)
+static uint8_t next_path(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
     bool apart = arbiter->rows[0].gap > 0 || (arbiter->count > 1 && arbiter->rows[1].gap > 0);
-    return !apart && (before == CAIRN_PATH_EVEN || before == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter);
+    int way = before & CAIRN_PATH_WAY;
+    return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 
 void cairn_arbiters_follow(cairn_world *world)
@@ -241,13 +242,13 @@ void cairn_arbiters_follow(cairn_world *world)
             continue;
         }
         const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        int before = arbiter->path & CAIRN_PATH_WAY;
+        uint8_t before = (uint8_t)(arbiter->path & ~(unsigned)CAIRN_PATH_FRESH);
         arbiter->path = CAIRN_PATH_NONE;
         if (none || !may_follow(arbiter, a, b, deepest)) {
             cairn_arbiter_let_go(arbiter);
             arbiter->rows[0].load = arbiter->rows[1].load = 0;
         } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b) : follow_one(arbiter, a, b)) {
-            arbiter->path = (uint8_t)next_path(world, arbiter, before);
+            arbiter->path = next_path(world, arbiter, before);
         }
     }
 }

@@ -21,29 +21,40 @@
 
 /* What a pass makes of a pair. */
 typedef struct pair_state {
-    cairn_motion linear;       /* relative velocity along the normal */
-    cairn_motion back_a;       /* a's spin, negative */
+    cairn_motion linear; /* relative velocity along the normal */
+    cairn_motion back_a; /* a's spin, negative */
     cairn_motion spin_b;
     cairn_motion push, push_a; /* impulses so far; a's part of them where it is not all or half */
 } pair_state;
 
+/* What the paths stand for; all constants where the passes ask. */
+CAIRN_INLINE bool is_even(int path) { return path == CAIRN_PATH_EVEN || path == CAIRN_PATH_EVEN_CENTRAL; }
+CAIRN_INLINE bool is_central(int path) { return path >= CAIRN_PATH_CENTRAL; }
+CAIRN_INLINE bool may_be_apart(int path) { return path >= CAIRN_PATH_SHARED; }
+CAIRN_INLINE bool has_two_points(int path) { return path <= CAIRN_PATH_SHARED; }
+
 CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path)
 {
-    cairn_bulk bulk = cairn_bulk_of(b->vx, CALM) | cairn_bulk_of(b->vy, CALM) | cairn_bulk_of(b->w, CALM);
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(b->vx), b->vy), b->w);
     if (path != CAIRN_PATH_ON_STATIC) {
-        bulk |= cairn_bulk_of(a->vx, CALM) | cairn_bulk_of(a->vy, CALM) | cairn_bulk_of(a->w, CALM);
+        size = cairn_size_with(cairn_size_with(cairn_size_with(size, a->vx), a->vy), a->w);
     }
-    return cairn_bulk_is_within(bulk, CALM);
+    return cairn_size_is_below(size, CALM);
 }
 
-CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b, cairn_motion x, cairn_motion y, const cairn_arbiter *arbiter)
+CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b)
 {
     pair_state pair;
-    pair.linear = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
+    pair.linear = pair.push = pair.push_a = 0;
     pair.back_a = -a->w;
     pair.spin_b = b->w;
-    pair.push = pair.push_a = 0;
     return pair;
+}
+
+/* What a takes of a change of the velocity to one another. */
+CAIRN_INLINE cairn_motion part_of_a(const cairn_arbiter *arbiter, cairn_motion change)
+{
+    return arbiter->share_a == 0 ? 0 : cairn_motion_share(change, arbiter->share_a);
 }
 
 /* The velocity of a row, of which this is the linear part. */
@@ -59,12 +70,12 @@ CAIRN_INLINE cairn_motion turn(pair_state *pair, const cairn_arbiter *arbiter, c
         pair->spin_b += cairn_motion_lever(change, jb);
         return 0;
     }
-    if (path == CAIRN_PATH_EVEN) {
+    if (is_even(path)) {
         pair->spin_b += cairn_motion_half_lever(change, jb);
         pair->back_a += cairn_motion_half_lever(change, ja);
         return 0;
     }
-    cairn_motion of_a = cairn_motion_share(change, arbiter->share_a);
+    cairn_motion of_a = part_of_a(arbiter, change);
     pair->spin_b += cairn_motion_lever(change - of_a, jb);
     pair->back_a += cairn_motion_lever(of_a, ja);
     return of_a;
@@ -74,33 +85,41 @@ CAIRN_INLINE void press(pair_state *pair, const cairn_arbiter *arbiter, const ca
 {
     pair->linear += change;
     pair->push += change;
-    pair->push_a += turn(pair, arbiter, change, row->lever_a, row->lever_b, path);
+    if (path == CAIRN_PATH_CENTRAL) {
+        pair->push_a = part_of_a(arbiter, change);
+    } else if (!is_central(path)) {
+        pair->push_a += turn(pair, arbiter, change, row->lever_a, row->lever_b, path);
+    }
 }
 
 /* Store the pair, with impulses along the normal only. */
 CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, int path)
 {
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
-    b->w = pair->spin_b;
+    if (!is_central(path)) {
+        b->w = pair->spin_b;
+        if (path != CAIRN_PATH_ON_STATIC) {
+            a->w = -pair->back_a;
+        }
+    }
     if (path == CAIRN_PATH_ON_STATIC) {
         b->vx += cairn_motion_dir(pair->push, nx);
         b->vy += cairn_motion_dir(pair->push, ny);
-        return;
-    }
-    a->w = -pair->back_a;
-    if (path == CAIRN_PATH_EVEN) {
+    } else if (is_even(path)) {
         cairn_motion x = cairn_motion_half_dir(pair->push, nx), y = cairn_motion_half_dir(pair->push, ny);
         a->vx -= x;
         a->vy -= y;
         b->vx += x;
         b->vy += y;
-        return;
+    } else {
+        cairn_motion of_b = pair->push - pair->push_a;
+        b->vx += cairn_motion_dir(of_b, nx);
+        b->vy += cairn_motion_dir(of_b, ny);
+        if (arbiter->share_a != 0) {
+            a->vx -= cairn_motion_dir(pair->push_a, nx);
+            a->vy -= cairn_motion_dir(pair->push_a, ny);
+        }
     }
-    cairn_motion of_b = pair->push - pair->push_a;
-    a->vx -= cairn_motion_dir(pair->push_a, nx);
-    a->vy -= cairn_motion_dir(pair->push_a, ny);
-    b->vx += cairn_motion_dir(of_b, nx);
-    b->vy += cairn_motion_dir(of_b, ny);
 }
 
 /* Store the pair, with friction's impulse as well: t = (-ny, nx). */
@@ -109,133 +128,162 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
     cairn_motion rub_a = turn(pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
     b->w = pair->spin_b;
+    if (path != CAIRN_PATH_ON_STATIC) {
+        a->w = -pair->back_a;
+    }
     if (path == CAIRN_PATH_ON_STATIC) {
         b->vx += cairn_motion_along(pair->push, -rub, nx, ny);
         b->vy += cairn_motion_along(rub, pair->push, nx, ny);
-        return;
-    }
-    a->w = -pair->back_a;
-    if (path == CAIRN_PATH_EVEN) {
+    } else if (is_even(path)) {
         cairn_motion x = cairn_motion_half_along(pair->push, -rub, nx, ny), y = cairn_motion_half_along(rub, pair->push, nx, ny);
         a->vx -= x;
         a->vy -= y;
         b->vx += x;
         b->vy += y;
-        return;
+    } else {
+        cairn_motion of_b = pair->push - pair->push_a, rub_b = rub - rub_a;
+        b->vx += cairn_motion_along(of_b, -rub_b, nx, ny);
+        b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
+        if (arbiter->share_a != 0) {
+            a->vx -= cairn_motion_along(pair->push_a, -rub_a, nx, ny);
+            a->vy -= cairn_motion_along(rub_a, pair->push_a, nx, ny);
+        }
     }
-    cairn_motion of_b = pair->push - pair->push_a, rub_b = rub - rub_a;
-    a->vx -= cairn_motion_along(pair->push_a, -rub_a, nx, ny);
-    a->vy -= cairn_motion_along(rub_a, pair->push_a, nx, ny);
-    b->vx += cairn_motion_along(of_b, -rub_b, nx, ny);
-    b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
 }
 
-/* ---- the passes by path, from the first point on or from the last; false if the pair is not calm ---- */
+/* ---- the passes over one contact; a pair that is not calm goes the careful way ---- */
 
-CAIRN_INLINE bool warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
+
+CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
-    (void)world;
-    (void)from_last;
-    cairn_size size = cairn_size_of(arbiter->friction_impulse);
-    for (int i = 0; i < arbiter->count; i++) {
-        size = cairn_size_with(size, arbiter->rows[i].impulse);
+    const cairn_row *rows = arbiter->rows;
+    cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
+    if (has_two_points(path)) {
+        size = cairn_size_with(size, rows[1].impulse);
     }
     if (!cairn_size_is_below(size, CALM) || !is_calm(a, b, path)) {
-        return false;
+        cairn_careful_warm_start(world, arbiter, from_last);
+        return;
     }
-    pair_state pair;
-    pair.back_a = -a->w;
-    pair.spin_b = b->w;
-    pair.push = pair.push_a = pair.linear = 0;
-    for (int i = 0; i < arbiter->count; i++) {
-        press(&pair, arbiter, &arbiter->rows[i], arbiter->rows[i].impulse, path);
+    pair_state pair = load(a, b);
+    press(&pair, arbiter, &rows[0], rows[0].impulse, path);
+    if (has_two_points(path)) {
+        press(&pair, arbiter, &rows[1], rows[1].impulse, path);
     }
     finish(&pair, a, b, arbiter, arbiter->friction_impulse, path);
-    return true;
 }
 
-CAIRN_INLINE bool biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
+CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
-    (void)world;
     if (!is_calm(a, b, path)) {
-        return false;
+        cairn_careful_biased_pass(world, arbiter, from_last);
+        return;
     }
-    bool alone = path == CAIRN_PATH_ON_STATIC;
-    pair_state pair = load(a, b, alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter);
-    cairn_row *row = arbiter->rows, *last = row + arbiter->count - 1;
-    if (from_last) {
-        row = last;
-        last = arbiter->rows;
-    }
+    bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
+    pair_state pair = load(a, b);
+    pair.linear = cairn_motion_along(alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter->normal_x, arbiter->normal_y);
+    cairn_row *row = &arbiter->rows[second], *last = &arbiter->rows[has_two_points(path) && !from_last];
     for (;; row = last) {
-        cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
-        cairn_motion gap = row->gap, old = row->impulse, impulse;
-        if (path == CAIRN_PATH_SHARED && gap > 0) {
+        cairn_motion gap = row->gap, old = row->impulse, u = pair.linear, impulse;
+        if (!is_central(path)) {
+            u = velocity(&pair, u, row->lever_a, row->lever_b, path);
+        }
+        if (may_be_apart(path) && gap > 0) {
             impulse = cairn_biased_apart(a, b, arbiter, row, u);
         } else {
-            cairn_motion rigid = old - cairn_motion_ratio(u + gap, row->mass);
+            cairn_motion rigid = old - (is_central(path) ? u + gap : cairn_motion_ratio(u + gap, row->mass));
             impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);
         }
         row->impulse = impulse;
         press(&pair, arbiter, row, impulse - old, path);
-        if (row == last) {
+        if (!has_two_points(path) || row == last) {
             break;
         }
     }
     push_apart(&pair, a, b, arbiter, path);
-    return true;
 }
 
-/* Friction's impulse: within a cone that is a little narrower than the kinetic one it sticks for sure. */
-CAIRN_INLINE cairn_motion rubbed(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion u, cairn_motion pressure)
-{
-    cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass);
-    cairn_motion within = cairn_motion_factor_below(pressure, arbiter->kinetic_friction);
-    if (impulse > within || -impulse > within) {
-        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, impulse) - old, GIVEN);
-    }
-    return impulse;
-}
-
-CAIRN_INLINE bool relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
+CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
     if (!is_calm(a, b, path)) {
-        return false;
+        cairn_careful_relax_pass(world, arbiter, from_last);
+        return;
     }
-    bool alone = path == CAIRN_PATH_ON_STATIC;
+    bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
     cairn_motion x = alone ? b->vx : b->vx - a->vx, y = alone ? b->vy : b->vy - a->vy, pressure = 0;
-    pair_state pair = load(a, b, x, y, arbiter);
+    pair_state pair = load(a, b);
+    pair.linear = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(y, -x, arbiter->normal_x, arbiter->normal_y);
-    cairn_row *row = arbiter->rows, *last = row + arbiter->count - 1;
-    if (from_last) {
-        row = last;
-        last = arbiter->rows;
-    }
+    cairn_row *row = &arbiter->rows[second], *last = &arbiter->rows[has_two_points(path) && !from_last];
     for (;; row = last) {
-        cairn_motion u = velocity(&pair, pair.linear, row->lever_a, row->lever_b, path);
-        cairn_motion old = row->impulse, impulse;
-        if (path == CAIRN_PATH_SHARED && row->gap > 0) {
+        cairn_motion old = row->impulse, u = pair.linear, impulse;
+        if (!is_central(path)) {
+            u = velocity(&pair, u, row->lever_a, row->lever_b, path);
+        }
+        if (may_be_apart(path) && row->gap > 0) {
             impulse = old + cairn_motion_clamp(cairn_relaxed_apart(a, b, arbiter, row, u) - old, GIVEN);
         } else {
-            impulse = cairn_motion_above_zero(old - cairn_motion_ratio(u, row->mass), CAIRN_IMPULSE_MAX);
+            impulse = cairn_motion_above_zero(old - (is_central(path) ? u : cairn_motion_ratio(u, row->mass)), CAIRN_IMPULSE_MAX);
         }
         row->impulse = impulse;
         pressure += impulse;
         press(&pair, arbiter, row, impulse - old, path);
-        if (row == last) {
+        if (!has_two_points(path) || row == last) {
             break;
         }
     }
-    cairn_motion impulse = rubbed(world, arbiter, velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path), pressure);
-    cairn_motion rub = impulse - arbiter->friction_impulse;
+    cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
+    cairn_motion pull = has_two_points(path) ? cairn_arbiter_pull(world, arbiter) : 0;
+    cairn_motion old = arbiter->friction_impulse, impulse = old - cairn_motion_ratio(u + pull, arbiter->friction_mass);
+    /* Within a cone that is a little narrower than the kinetic one it sticks for sure. */
+    cairn_motion within = cairn_motion_factor_below(pressure, arbiter->kinetic_friction);
+    if (impulse > within || -impulse > within) {
+        impulse = old + cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, impulse) - old, GIVEN);
+    }
     arbiter->friction_impulse = impulse;
-    finish(&pair, a, b, arbiter, rub, path);
-    return true;
+    finish(&pair, a, b, arbiter, impulse - old, path);
 }
+
+/* ---- each pass by each path ---- */
+
+/*
+ * Over a run of contacts that take the same way: from *at on, up to the first that takes another, or to the end. Returns where that is.
+ */
+typedef const uint16_t *way(const cairn_world *world, const uint16_t *at, const uint16_t *end, bool from_last);
+
+#define WAY(name, pass, way_path) \
+    static const uint16_t *name(const cairn_world *world, const uint16_t *at, const uint16_t *end, bool from_last) \
+    { \
+        cairn_arbiter *arbiter = &world->arbiters[*at]; \
+        const unsigned path = arbiter->path; \
+        do { \
+            pass(world, &world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter, way_path, from_last); \
+        } while (++at != end && (arbiter = &world->arbiters[*at])->path == path); \
+        return at; \
+    }
+
+#define WAYS(pass) \
+    WAY(pass##_careful, careful_##pass, CAIRN_PATH_CAREFUL) \
+    WAY(pass##_on_static, pass, CAIRN_PATH_ON_STATIC) \
+    WAY(pass##_even, pass, CAIRN_PATH_EVEN) \
+    WAY(pass##_shared, pass, CAIRN_PATH_SHARED) \
+    WAY(pass##_single, pass, CAIRN_PATH_SINGLE) \
+    WAY(pass##_central, pass, CAIRN_PATH_CENTRAL) \
+    WAY(pass##_even_central, pass, CAIRN_PATH_EVEN_CENTRAL) \
+    static way *const pass##_ways[] = { pass##_careful, pass##_careful, pass##_on_static, pass##_even, pass##_shared, pass##_single, pass##_central, \
+                                        pass##_even_central };
+
+#define careful_warm_start(world, a, b, arbiter, path, from_last) cairn_careful_warm_start(world, arbiter, from_last)
+#define careful_biased(world, a, b, arbiter, path, from_last) cairn_careful_biased_pass(world, arbiter, from_last)
+#define careful_relax(world, a, b, arbiter, path, from_last) cairn_careful_relax_pass(world, arbiter, from_last)
+
+WAYS(warm_start)
+WAYS(biased)
+WAYS(relax)
 
 /* ---- over the world ---- */
 
-int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter)
+static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     if (!(arbiter->flags & CAIRN_ARBITER_SOLVED) || (arbiter->block & CAIRN_BLOCK_NUMBER)) {
         return CAIRN_PATH_NONE;
@@ -249,10 +297,23 @@ int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter
     if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
+    if (arbiter->count == 1) {
+        bool central = arbiter->rows[0].lever_a == 0 && arbiter->rows[0].lever_b == 0;
+        return (!central ? CAIRN_PATH_SINGLE : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN_CENTRAL : CAIRN_PATH_CENTRAL) + apart;
+    }
     if (first || second) {
         return CAIRN_PATH_SHARED + apart;
     }
     return arbiter->flags & CAIRN_ARBITER_ON_STATIC ? CAIRN_PATH_ON_STATIC : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN : CAIRN_PATH_SHARED;
+}
+
+uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter, unsigned fresh)
+{
+    unsigned path = (unsigned)path_of(world, arbiter);
+    if (path != CAIRN_PATH_NONE && arbiter->count > 1) { /* of one point it makes no difference, and runs are longer without */
+        path |= fresh | cairn_flag_if(!(arbiter->flags & CAIRN_ARBITER_ON_STATIC), CAIRN_PATH_FREE);
+    }
+    return (uint8_t)path;
 }
 
 /*
@@ -260,13 +321,14 @@ int cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter
  * component of the relative motion and 2 sqrt(2) times each spin: 7.1 times the greatest of v and as much of d, of which halves are taken, for
  * the difference of two displacements may not fit. The velocities of two that fall together differ by nothing.
  */
-static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+static bool is_far(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     const cairn_row *rows = arbiter->rows;
     bool second = arbiter->count > 1;
     if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[1].impulse != 0)) {
         return false;
     }
+    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
     cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
     size = cairn_size_with(size, cairn_motion_half(b->dx) - cairn_motion_half(a->dx));
@@ -280,8 +342,7 @@ void cairn_sweep_choose_again(cairn_world *world)
     bool any_slides = false;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        int path = cairn_arbiter_path_of(world, arbiter);
-        arbiter->path = (uint8_t)(path == CAIRN_PATH_NONE ? CAIRN_PATH_NONE : path | (arbiter->path & CAIRN_PATH_FRESH));
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
         any_slides = any_slides || cairn_arbiter_is_sliding(arbiter);
     }
     world->slides = any_slides;
@@ -289,50 +350,25 @@ void cairn_sweep_choose_again(cairn_world *world)
 
 /*
  * One pass over all contacts, each by its path. The two points of a contact take turns in coming first, from sub-step to sub-step:
- * of_pair and of_static say whether the last one does. What comes first takes more of what both are to stop: were it always the same one,
- * all boxes of a column that settles would begin to turn the same way. Held rows keep their order in the biased pass, where turns would
- * leave a wide pyramid breathing for ever, and on something static, where they come to rest sooner.
+ * those with one of the flags from_last begin with the last. What comes first takes more of what both are to stop: were it always
+ * the same one, all boxes of a column that settles would begin to turn the same way. Held rows keep their order in the biased
+ * pass, where turns would leave a wide pyramid breathing for ever, and on something static, where they come to rest sooner.
  */
-#define SWEEP(pass, careful, of_pair, of_static) \
-    cairn_body *bodies = world->bodies; \
-    cairn_arbiter *arbiters = world->arbiters; \
-    const uint16_t *end = world->order + world->arbiter_count; \
-    for (const uint16_t *at = world->order; at != end; at++) { \
-        cairn_arbiter *arbiter = &arbiters[*at]; \
-        int path = arbiter->path; \
-        if (path == CAIRN_PATH_NONE) { \
-            continue; \
-        } \
-        bool fresh = false; \
-        cairn_body *a = &bodies[arbiter->a], *b = &bodies[arbiter->b]; \
-        if (path >= CAIRN_PATH_FRESH) { \
-            if (path >= CAIRN_PATH_APART && is_far(a, b, arbiter)) { \
-                continue; \
-            } \
-            fresh = (path & CAIRN_PATH_FRESH) != 0; \
-            path &= CAIRN_PATH_WAY; \
-        } \
-        bool done = path == CAIRN_PATH_EVEN ? pass(world, a, b, arbiter, CAIRN_PATH_EVEN, of_pair) \
-                  : path == CAIRN_PATH_ON_STATIC ? pass(world, a, b, arbiter, CAIRN_PATH_ON_STATIC, of_static) \
-                  : path == CAIRN_PATH_SHARED && pass(world, a, b, arbiter, CAIRN_PATH_SHARED, of_pair); \
-        if (!done) { \
-            careful(world, arbiter, arbiter->flags & CAIRN_ARBITER_ON_STATIC ? of_static : of_pair); \
-        } \
+static void sweep(cairn_world *world, way *const ways[], unsigned from_last)
+{
+    const uint16_t *at = world->order, *end = at + world->arbiter_count;
+    while (at != end) {
+        const cairn_arbiter *arbiter = &world->arbiters[*at];
+        unsigned path = arbiter->path;
+        bool apart = (path & CAIRN_PATH_APART) != 0;
+        if (path == CAIRN_PATH_NONE || (apart && is_far(world, arbiter))) {
+            at++;
+        } else {
+            at = ways[(path & CAIRN_PATH_WAY) - 1](world, at, apart ? at + 1 : end, (path & from_last) != 0);
+        }
     }
-
-void cairn_sweep_warm_start(cairn_world *world)
-{
-    SWEEP(warm_start, cairn_careful_warm_start, fresh, fresh)
 }
 
-void cairn_sweep_biased(cairn_world *world, int substep)
-{
-    const bool odd = (substep & 1) != 0;
-    SWEEP(biased, cairn_careful_biased_pass, fresh && odd, fresh && odd)
-}
-
-void cairn_sweep_relax(cairn_world *world, int substep)
-{
-    const bool odd = (substep & 1) != 0;
-    SWEEP(relax, cairn_careful_relax_pass, odd, fresh && odd)
-}
+void cairn_sweep_warm_start(cairn_world *world) { sweep(world, warm_start_ways, CAIRN_PATH_FRESH); }
+void cairn_sweep_biased(cairn_world *world, int substep) { sweep(world, biased_ways, substep & 1 ? CAIRN_PATH_FRESH : 0u); }
+void cairn_sweep_relax(cairn_world *world, int substep) { sweep(world, relax_ways, substep & 1 ? CAIRN_PATH_FRESH | CAIRN_PATH_FREE : 0u); }

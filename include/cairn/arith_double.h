@@ -189,9 +189,6 @@ static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j
 static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
 static inline bool cairn_lever_is_short(cairn_lever j) { return fabs(j) <= CAIRN_LEVER_SHORT; }
 static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit) { return x < 0 ? 0 : x > limit ? limit : x; }
-typedef unsigned cairn_bulk;
-static inline cairn_bulk cairn_bulk_of(cairn_motion x, cairn_motion limit) { return x < -limit || x >= limit; }
-static inline bool cairn_bulk_is_within(cairn_bulk bulk, cairn_motion limit) { (void)limit; return bulk == 0; }
 typedef double cairn_size;
 static inline cairn_size cairn_size_of(cairn_motion x) { return fabs(x); }
 static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return fabs(x) > size ? fabs(x) : size; }

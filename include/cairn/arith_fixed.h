@@ -407,10 +407,6 @@ static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion 
     if ((uint32_t)x > (uint32_t)limit) { return x < 0 ? 0 : limit; }
     return x;
 }
-/* Whether several motions lie in [-limit, limit), a constant power of two: by bits that any of them would set. */
-typedef uint32_t cairn_bulk;
-static inline cairn_bulk cairn_bulk_of(cairn_motion x, cairn_motion limit) { return (uint32_t)x + (uint32_t)limit; }
-static inline bool cairn_bulk_is_within(cairn_bulk bulk, cairn_motion limit) { return bulk < 2u * (uint32_t)limit; }
 /* The size of several motions at once: as great as the greatest, less than twice as great, and perhaps one unit short. */
 typedef uint32_t cairn_size;
 static inline cairn_size cairn_size_of(cairn_motion x) { return (uint32_t)(x ^ (x >> 31)); }

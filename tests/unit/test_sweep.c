@@ -16,6 +16,7 @@ void tearDown(void) {}
 static void put_floor(void) { put_static(&ground, 0, CAIRN_F(-0.5)); }
 
 static int path_at(uint16_t place) { return world->arbiters[world->order[place]].path; }
+static int way_at(uint16_t place) { return path_at(place) & CAIRN_PATH_WAY; }
 
 static cairn_body_id put_of(const cairn_shape *shape, cairn_real x, cairn_real y, int density)
 {
@@ -39,9 +40,33 @@ void test_what_is_static_what_is_even_and_what_is_not_have_ways_of_their_own(voi
     put_of(&box, 0, CAIRN_F(2.5), 2);
     run(60);
     TEST_ASSERT_EQUAL_UINT16(3, world->arbiter_count);
-    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_ON_STATIC, path_at(0));
-    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN, path_at(1));
-    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SHARED, path_at(2));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_ON_STATIC, way_at(0));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN, way_at(1));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SHARED, way_at(2));
+}
+
+static int way_between(cairn_body_id a, cairn_body_id b)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        const cairn_arbiter *arbiter = &world->arbiters[world->order[place]];
+        if (arbiter->a + 1 == a.index && arbiter->b + 1 == b.index) {
+            return way_at(place);
+        }
+    }
+    return CAIRN_PATH_NONE;
+}
+
+void test_a_ball_is_pushed_through_its_centre(void)
+{
+    cairn_body_id floor = put_static(&ground, 0, CAIRN_F(-0.5));
+    cairn_body_id low = put(&ball, 0, CAIRN_F(0.5)), high = put(&ball, 0, CAIRN_F(1.5)), heavy = put_of(&ball, 0, CAIRN_F(2.5), 2);
+    cairn_body_id block = put(&box, CAIRN_F(4), CAIRN_F(0.5)), on_block = put(&ball, CAIRN_F(4.1), CAIRN_F(1.5));
+    run(10);
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_CENTRAL, way_between(floor, low));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN_CENTRAL, way_between(low, high));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_CENTRAL, way_between(high, heavy));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_ON_STATIC, way_between(floor, block));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SINGLE, way_between(block, on_block)); /* the block may turn */
 }
 
 void test_long_levers_fixed_bodies_uneven_masses_and_rough_surfaces_are_taken_with_care(void)
@@ -59,7 +84,7 @@ void test_long_levers_fixed_bodies_uneven_masses_and_rough_surfaces_are_taken_wi
         const cairn_arbiter *arbiter = &world->arbiters[world->order[place]];
         bool plain = arbiter->b == 3; /* the light box on the floor */
         TEST_ASSERT_EQUAL_INT(plain && !(arbiter->block & CAIRN_BLOCK_NUMBER) ? CAIRN_PATH_ON_STATIC
-                              : arbiter->block & CAIRN_BLOCK_NUMBER ? CAIRN_PATH_NONE : CAIRN_PATH_CAREFUL, path_at(place));
+                              : arbiter->block & CAIRN_BLOCK_NUMBER ? CAIRN_PATH_NONE : CAIRN_PATH_CAREFUL, way_at(place));
     }
 }
 
@@ -71,7 +96,7 @@ void test_points_that_are_apart_are_known(void)
     cairn_body_id far = put(&ball, CAIRN_F(-1.003), 0);
     run(2);
     TEST_ASSERT_EQUAL_UINT16(2, world->arbiter_count);
-    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_SHARED + CAIRN_PATH_APART, path_at(0));
+    TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN_CENTRAL + CAIRN_PATH_APART, path_at(0));
     ASSERT_NEAR(0, -1.003, x_of(far));
     ASSERT_SAME(0, world->arbiters[world->order[0]].rows[0].impulse);
 }
@@ -93,6 +118,36 @@ void test_the_careful_way_leads_where_the_quick_one_does(void)
     cairn_vec2 quick = thrown_onto_the_floor(&firm), careful = thrown_onto_the_floor(&rough);
     ASSERT_NEAR(0.01, 0, quick.x - careful.x);
     ASSERT_NEAR(0.001, 0, quick.y - careful.y);
+}
+
+/* A ball rolls into another one, and that into a box: by the ways of one point, or by the careful one. */
+static void roll_into_one_another(const cairn_material *material, int density, cairn_vec2 places[3])
+{
+    open_yard(CAIRN_F(-10));
+    put_floor();
+    cairn_body_id ids[3] = { put_moving(&ball, CAIRN_F(-2), CAIRN_F(0.5), CAIRN_F(3), 0), put_of(&ball, 0, CAIRN_F(0.5), density),
+                             put(&box, CAIRN_F(2), CAIRN_F(0.5)) };
+    for (int i = 0; i < 3; i++) {
+        ASSERT_OK(set_material(ids[i], material));
+    }
+    run(120);
+    for (int i = 0; i < 3; i++) {
+        places[i] = cairn_body_position(world, ids[i]);
+    }
+}
+
+void test_the_ways_of_one_point_lead_where_the_careful_one_does(void)
+{
+    for (int density = 1; density <= 3; density += 2) {
+        cairn_vec2 quick[3], careful[3];
+        roll_into_one_another(&firm, density, quick);
+        roll_into_one_another(&rough, density, careful);
+        TEST_ASSERT_TRUE(quick[1].x > CAIRN_F(0.1)); /* it was hit */
+        for (int i = 0; i < 3; i++) {
+            ASSERT_NEAR(0.02, 0, quick[i].x - careful[i].x); /* they differ by a hundredth of the friction too */
+            ASSERT_NEAR(0.001, 0, quick[i].y - careful[i].y);
+        }
+    }
 }
 
 void test_what_is_too_fast_for_the_quick_way_stops_all_the_same(void)
