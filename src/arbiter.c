@@ -114,7 +114,7 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t a, uint16_t b)
     return arbiter;
 }
 
-static cairn_pose pose_of(const cairn_body *body, cairn_offset x, cairn_offset y)
+cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y)
 {
     cairn_pose pose;
     pose.shape = body->model->shape;
@@ -153,8 +153,8 @@ void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset 
 
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_pose pa = pose_of(a, 0, 0);
-    cairn_pose pb = pose_of(b, cairn_bodies_apart_x(a, b),
+    cairn_pose pa = cairn_body_pose(a, 0, 0);
+    cairn_pose pb = cairn_body_pose(b, cairn_bodies_apart_x(a, b),
                             cairn_bodies_apart_y(a, b));
     cairn_poses_collide(&pa, &pb, margin, out);
 }

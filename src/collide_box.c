@@ -36,6 +36,17 @@ static relative seen_from(const cairn_pose *a, const cairn_pose *b, cairn_offset
     return r;
 }
 
+/* The first box as it is seen from the other one. */
+static relative seen_back(const relative *r)
+{
+    relative back;
+    back.x = -cairn_offset_dot(r->x, r->y, r->c, r->s);
+    back.y = -cairn_offset_dot(r->x, r->y, -r->s, r->c);
+    back.c = r->c;
+    back.s = -r->s;
+    return back;
+}
+
 /* How far a box's own two axes separate it from the other, and which of them does most. */
 static cairn_offset separation_of(half_size own, half_size other, const relative *r, bool *along_y)
 {
@@ -132,7 +143,7 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
     if (from_a > margin) {
         return;
     }
-    relative a_from_b = seen_from(b, a, a->x - b->x, a->y - b->y);
+    relative a_from_b = seen_back(&b_from_a);
     cairn_offset from_b = separation_of(half_b, half_a, &a_from_b, &y_b);
     if (from_b > margin) {
         return;

@@ -227,6 +227,24 @@ static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const c
 /* The way to look along: two steps' motion, for a corner is felt a step before it is passed, and at least 4 GRAZE. */
 #define DOUBLINGS 7
 
+/*
+ * Too broad a contact to be slid past, where the way (x, y) goes straight against it within a quarter. What would be slid over instead is a
+ * face with a normal m along which the two near one another by less than 3/4 of that, so its angle to n has a sine of 0.49 at least.
+ * The points of both surfaces lie within the contact's gap of one another, and are `broad` apart across n: along m the two
+ * overlap by at least broad / 2 - gap now, by broad / 2 - gap - way later, and it is no face to slide over if that is more than GRAZE.
+ */
+static bool is_broad(const cairn_manifold *contact, cairn_offset x, cairn_offset y, cairn_offset closing)
+{
+    if (contact->count < 2) {
+        return false;
+    }
+    const cairn_manifold_point *p = &contact->points[0], *q = &contact->points[1];
+    cairn_offset broad = magnitude(cairn_offset_dot(q->y - p->y, p->x - q->x, contact->normal_x, contact->normal_y));
+    cairn_offset across = magnitude(cairn_offset_dot(y, -x, contact->normal_x, contact->normal_y));
+    cairn_offset gap = larger(p->separation, q->separation);
+    return across <= closing / 4 && cairn_offset_half(broad) > GRAZE + gap + closing + across;
+}
+
 /* The contact of two slower bodies: not with a corner that one of them slides past. */
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
@@ -240,10 +258,10 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
         x *= 2;
         y *= 2;
     }
-    course ca = ahead(world, a, 0, 0);
-    course cb = ahead(world, b, cairn_bodies_apart_x(a, b),
-                      cairn_bodies_apart_y(a, b));
-    cairn_pose pa = pose_at(&ca, 0), pb = pose_at(&cb, 0);
+    if (is_broad(out, x, y, -cairn_offset_dot(x, y, out->normal_x, out->normal_y))) {
+        return;
+    }
+    cairn_pose pa = cairn_body_pose(a, 0, 0), pb = cairn_body_pose(b, out->x, out->y);
     look_beyond(&pa, &pb, x, y, CAIRN_UNIT(1.9), margin, out);
 }
 

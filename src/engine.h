@@ -275,6 +275,8 @@ void cairn_arbiters_sweep(cairn_world *world);
 void cairn_arbiters_remove_body(cairn_world *world, uint16_t body);
 /* The contact of two shapes in the places given, whichever of them has the higher rank. */
 void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+/* A body where it is now, with its centre of mass at (x, y). */
+cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y);
 /* The manifold of two bodies where they are now. */
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
 

@@ -19,6 +19,10 @@
 /* Push-outs beyond this are left to the careful way. */
 #define PUSH CAIRN_MOTION(0.125)
 
+/* Faster pairs are not far from meeting: no sum of that question may wrap. Nor may its rounding tell. */
+#define NEARING CAIRN_MOTION(0.25)
+#define ROUNDED CAIRN_MOTION(3.7e-9)
+
 /* What a pass makes of a pair. */
 typedef struct pair_state {
     cairn_motion linear; /* relative velocity along the normal */
@@ -317,9 +321,10 @@ uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arb
 }
 
 /*
- * So far apart that the points cannot meet in this sub-step. They come nearer by v + d at most, and that by sqrt(2) times the greater
- * component of the relative motion and 2 sqrt(2) times each spin: 7.1 times the greatest of v and as much of d, of which halves are taken, for
- * the difference of two displacements may not fit. The velocities of two that fall together differ by nothing.
+ * So far apart that no point can meet in this sub-step: where gap + d > 0, its row presses if gap + v + d < 0, of the motion along the normal; in
+ * the biased pass v has beta d in it, so d counts 1 - beta times, which is between nothing and once. Spins add 2 sqrt(2) times each at
+ * most, to v and to d: 12 times the greatest of them. What falls together does not near one another at all. Halves are taken where the
+ * difference of two displacements may not fit.
  */
 static bool is_far(const cairn_world *world, const cairn_arbiter *arbiter)
 {
@@ -330,11 +335,16 @@ static bool is_far(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
-    cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
-    size = cairn_size_with(size, cairn_motion_half(b->dx) - cairn_motion_half(a->dx));
-    size = cairn_size_with(size, cairn_motion_half(b->dy) - cairn_motion_half(a->dy));
-    size = cairn_size_with(cairn_size_with(size, a->w), b->w);
-    return cairn_size_is_far_below(cairn_size_with(cairn_size_with(size, a->dw), b->dw), gap);
+    cairn_motion vx = b->vx - a->vx, vy = b->vy - a->vy;
+    cairn_motion x = cairn_motion_half(b->dx) - cairn_motion_half(a->dx), y = cairn_motion_half(b->dy) - cairn_motion_half(a->dy);
+    cairn_size spin = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_of(a->w), b->w), a->dw), b->dw);
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_with(spin, vx), vy), x), y);
+    if (cairn_size_is_far_below(size, gap) || !cairn_size_is_below(size, NEARING)) {
+        return cairn_size_is_below(size, NEARING);
+    }
+    cairn_motion v = cairn_motion_along(vx, vy, arbiter->normal_x, arbiter->normal_y), d = 2 * cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion room = gap + (v < 0 && d < 0 ? v + d : v < d ? v : d) - 12 * ROUNDED;
+    return room > 0 && cairn_size_is_below(12 * spin, room);
 }
 
 void cairn_sweep_choose_again(cairn_world *world)
