@@ -56,13 +56,13 @@ typedef struct cairn_body_model {
  * within reach of a Cortex-M0's short offsets.
  */
 typedef struct cairn_body {
+    uint16_t flags; /* first, so that gcc keeps one pointer to what follows and not a base and an index */
+    uint16_t generation;
     /* Sub-step state, see DESIGN.md: velocity * h, velocity at the sub-step's start, displacement in this step.
        The turning components (w) are angles times the radius of gyration. */
     cairn_motion vx, vy, w;
     cairn_motion ux, uy, uw; /* between steps: the velocity change per sub-step by the applied forces */
     cairn_motion dx, dy, dw; /* outside of the sub-steps other things, see engine.h */
-    uint16_t flags;
-    uint16_t generation;
     cairn_extent extent_x, extent_y; /* half sizes of the bounding box with a margin; x is 0 while they are not known */
     cairn_real x, y; /* centre of mass */
     unsigned x_residue : 12, y_residue : 12; /* cairn_residue */
