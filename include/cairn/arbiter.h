@@ -23,11 +23,11 @@ typedef struct cairn_row {
 
 /* In 80 bytes, what the sweeps read within reach of short load instructions. */
 typedef struct cairn_arbiter {
-    uint16_t a, b; /* indices of the bodies; the normal points from a to b */
     uint8_t count; /* contact points: 0 to 2 */
     uint8_t flags;
     uint8_t block; /* see block.c: the number of its block, and whether the masses differ much */
     uint8_t path;  /* which way the sweeps take in this step, see sweep.c */
+    uint16_t a, b; /* indices of the bodies; the normal points from a to b */
     cairn_dir normal_x, normal_y;
     cairn_row rows[2];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
