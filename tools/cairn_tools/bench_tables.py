@@ -150,13 +150,14 @@ def memory_tables(rows: list[memory.Row]) -> list[Table]:
     """Sizes, then stacks; a column a core."""
     pools = f"the world with the pools that {memory.WORLD} needs in {2 * memory.STEPS} steps"
     titles = {"size": ("Bytes of RAM", pools),
-              "stack": ("Bytes of stack of a step", f"the most of steps 1 to {memory.STEPS}")}  # fmt: skip
+              "stack": ("Bytes of stack of a step", f"the most of steps 1 to {memory.STEPS}"),
+              "call": ("Bytes of stack of a call", "the most in any scene, by the compiler's call graph")}  # fmt: skip
     grids = []
     for kind, (title, caption) in titles.items():
         own = [row for row in rows if row.kind == kind]
         cores = list(dict.fromkeys(row.core for row in own))
         grid = Table(title=title, caption=caption, box=box.SIMPLE, pad_edge=False)
-        grid.add_column("what" if kind == "size" else "scene")
+        grid.add_column({"size": "what", "stack": "scene", "call": "call"}[kind])
         for column in (*cores, "goal"):
             grid.add_column(column, justify="right", no_wrap=True)
         grid.add_column("verdict")

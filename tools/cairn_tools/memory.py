@@ -13,7 +13,7 @@ from typing import Any
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
 
-from . import engine, scene
+from . import call_graph, engine, scene
 
 CORES = ("m0", "m3")
 STEPS = 120
@@ -24,6 +24,15 @@ RAM = 0x20000000  # where a Cortex-M's lies; constants lie below
 TYPES = ("body", "arbiter", "spring", "world", "quadtree", "quadtree_cell", "quadtree_entry", "block")
 GOALS = {"a body": 72, "an arbiter": 80, "pyramid10's world with its tree": 14 * 1024}
 STACK_GOAL = 1024
+STEP = "cairn_world_step"
+# The calls of a game's loop and of its set-up that go deepest, of which the table tells; the others are in one row.
+CALLS = (
+    STEP, "cairn_query_ray", "cairn_query_ray_all", "cairn_query_point", "cairn_query_box", "cairn_debug_draw_bodies",
+    "cairn_debug_draw_contacts", "cairn_debug_draw_cells", "cairn_debug_draw_springs", "cairn_world_next_contact",
+    "cairn_body_create", "cairn_body_destroy", "cairn_body_set_model", "cairn_body_set_transform",
+    "cairn_body_apply_impulse_at", "cairn_spring_create", "cairn_spring_tune", "cairn_world_set_rate",
+    "cairn_world_init_with", "cairn_polygon_init", "cairn_polygon_init_regular", "cairn_polygon_init_hull",
+)  # fmt: skip
 WORLD = "pyramid10"
 
 Say = Callable[[str], None]
@@ -34,7 +43,7 @@ Change = Callable[[scene.Scene], scene.Scene]
 class Row:
     """Bytes of something on a core."""
 
-    kind: str  # "size" or "stack"
+    kind: str  # "size"; "stack", of steps of a scene; or "call", at most and in any scene
     name: str
     core: str
     bytes: int
@@ -128,8 +137,21 @@ def measure(cores: Iterable[str], names: Iterable[str], say: Say) -> list[Row]:
             got = engine.run(load(name), "q16", core, STEPS, 0)
             stacks.append(Row("stack", name, core, got.stack - got.stack_before, STACK_GOAL))
         worst = max((row.bytes for row in stacks), default=0)
-        rows += [*stacks, Row("stack", "the worst", core, worst, STACK_GOAL)] if stacks else []
+        if stacks:
+            bounds = _bounds(core)
+            rows += [*stacks, Row("stack", "the worst", core, worst, STACK_GOAL), *bounds]
+            if worst > bounds[0].bytes:
+                most = bounds[0].bytes
+                raise engine.EngineError(f"{core}: a step took {worst} bytes, by the call graph {most} at most")
     return rows
+
+
+def _bounds(core: str) -> list[Row]:
+    """The deepest that each call can get. The core's library has been built for the stacks."""
+    depths = {name: size for name, (size, _) in call_graph.depths(engine.CORES[core].preset).items()}
+    others = max(size for name, size in depths.items() if name not in CALLS)
+    named = [*((name, depths[name]) for name in CALLS), ("any other", others)]
+    return [Row("call", name, core, size, STACK_GOAL) for name, size in named]
 
 
 def _sizes(core: str) -> list[Row]:

@@ -1,0 +1,143 @@
+"""How deep the stack of each of the engine's public functions can get, in any scene: by gcc's call graph.
+
+`-fcallgraph-info=su` writes it beside the objects. A call through a pointer goes to what the classes of src/ put there:
+POINTERS says it by the source line. The game's own callbacks are its own. A function that calls itself, in however
+many steps, has no bound and is an error.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from functools import cache
+from pathlib import Path
+
+from . import engine
+
+HEADERS = engine.ROOT / "include" / "cairn"
+OUTSIDE = (
+    32  # bytes of what the compiler calls of its own library, as memcpy() and products in 64 bits: 20 to 28 on an M0
+)
+COPY = re.compile(r"\.(part|isra|constprop|cold)\b.*")  # behind the name of a part or a copy
+SHAPES = ("shape_circle", "shape_box", "shape_polygon")
+
+# What stands on the line of the call, and the functions that it may reach: names, or FILE:NAME of static ones;
+# * stands for any text.
+POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
+    (r"->collide\[", tuple(f"cairn_collide_{pair}" for pair in ("circles", "circle_polygon", "boxes", "polygons"))),
+    (r"kind->outline\(", ("shape_box:outline", "shape_polygon:outline")),
+    *((rf"kind->{name}\(", tuple(f"{file}:{name}" for file in SHAPES))
+      for name in ("check", "area", "gyration", "inradius", "extents")),
+    (r"broad->find_pairs\(", ("broad_pairs:find_pairs", "quadtree:find_pairs")),
+    (r"solver->solve\(", ("solver_soft:solve", "solver_slides:solve")),
+    *((rf"sleep->{name}\(", (f"sleep:{name}",)) for name in ("wake", "settle", "disturb")),
+    *((rf"continuous->{name}\(", (f"continuous:{name}",)) for name in ("meet", "slide", "clip")),
+    (r"bounce->impact\(", ("bounce:impact_phase",)),
+    (r"block->kind->find\(", ("cairn_block_find",)),
+    (r"block->kind->release\(", ("cairn_block_release",)),
+    *((rf"block->kind->{name}\(", (f"block:{name}",)) for name in ("warm_start", "biased_pass", "relax_pass")),
+    (r"\bpass\(world, world->block\)", ("block:warm_start_block", "block:biased_block", "block:relax_block")),
+    (r"\bbias\(world, arbiter", ("block:bias_point", "block:relax_point")),
+    (r"springs->kind->prepare\(", ("cairn_springs_prepare",)),
+    (r"springs->kind->substep\(", ("cairn_springs_substep",)),
+    *((rf"springs->kind->{name}\(", (f"spring:{name}",)) for name in ("joined", "remove_body", "link")),
+    *((rf"mesh->kind->{name}\(", (f"spring_mesh:{name}",)) for name in ("make", "solve")),
+    (r"\bvisit\(world, spring->a", ("sleep:join",)),
+    (r"\btest\(asked, &about", ("query:holds_point", "query:meets_box")),
+    (r"\bkeep\(world, ", ("arbiter:is_current", "arbiter:is_of_others")),
+    (r"\bways\[", ("sweep:warm_start_*", "sweep:biased_*", "sweep:relax_*")),
+    (r"draw->\w+\(|\bvisit\(context", ()),  # the game's
+)  # fmt: skip
+
+
+@dataclass
+class Graph:
+    """Bytes of the functions' own frames, and what they call."""
+
+    frames: dict[str, int] = field(default_factory=dict)
+    calls: dict[str, set[str]] = field(default_factory=lambda: defaultdict(set))
+    depths: dict[str, tuple[int, tuple[str, ...]]] = field(default_factory=dict)
+
+    def depth(self, name: str, above: tuple[str, ...] = ()) -> tuple[int, tuple[str, ...]]:
+        """Bytes of a call with all that it may call, and the deepest way."""
+        if name in above:
+            raise engine.EngineError("calls itself: " + " > ".join([*above[above.index(name) :], name]))
+        if name not in self.depths:
+            below = [self.depth(called, (*above, name)) for called in self.calls.get(name, ())]
+            most, way = max(below, default=(0, ()))
+            own = self.frames.get(name, OUTSIDE)
+            self.depths[name] = own + most, (f"{name.removeprefix('src/')} {own}", *way)
+        return self.depths[name]
+
+    def named(self, name: str) -> list[str]:
+        """The functions that a name of POINTERS stands for: a compiler may have made parts or copies of one."""
+        file, _, own = name.rpartition(":")
+        wanted = f"{file}.c:{own}" if file else own
+        found = [title for title in self.frames if fnmatchcase(COPY.sub("", title.rpartition("/")[2]), wanted)]
+        if not found:
+            raise engine.EngineError(f"the engine has no {name}, which tools/cairn_tools/call_graph.py names")
+        return found
+
+
+def read(files: Iterable[Path]) -> Graph:
+    """The graph of all translation units."""
+    graph, pointers = Graph(), []
+    for path in files:
+        text = path.read_text(encoding="utf-8")
+        for title, size in re.findall(r'node: \{ title: "([^"]+)" label: "[^"]*?\\n(\d+) bytes', text):
+            graph.frames[_short(title)] = int(size)
+        for source, target, place in re.findall(
+            r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"(?: label: "([^"]+)")?', text
+        ):
+            if target == "__indirect_call":
+                pointers.append((_short(source), place))
+            else:
+                graph.calls[_short(source)].add(_short(target))
+    for source, place in pointers:
+        graph.calls[source].update(title for name in _reached(place) for title in graph.named(name))
+    return graph
+
+
+def _short(title: str) -> str:
+    return title.replace(f"{engine.ROOT}/", "")
+
+
+def _reached(place: str) -> tuple[str, ...]:
+    line = _line(place)
+    for pattern, names in POINTERS:
+        if re.search(pattern, line):
+            return names
+    raise engine.EngineError(
+        f"{place}: a call through a pointer that tools/cairn_tools/call_graph.py does not know: {line.strip()}"
+    )
+
+
+def _line(place: str) -> str:
+    file, number, _ = place.rsplit(":", 2)
+    return _lines(engine.ROOT / file)[int(number) - 1]
+
+
+@cache
+def _lines(path: Path) -> list[str]:
+    return path.read_text(encoding="utf-8").splitlines()
+
+
+def public_functions() -> Iterator[str]:
+    """What the headers declare and do not define."""
+    for header in sorted(HEADERS.glob("*.h")):
+        if not header.name.startswith("arith"):
+            yield from re.findall(
+                r"^(?!static|typedef|#|\s)[\w\s\*]*?\b(cairn_\w+)\([^;{]*\);", header.read_text(encoding="utf-8"), re.M
+            )
+
+
+def depths(preset: str) -> dict[str, tuple[int, tuple[str, ...]]]:
+    """Of each public function: bytes and the deepest way. The library of the preset must be built."""
+    folder = engine.BUILDS / preset / "CMakeFiles" / "cairn.dir" / "src"
+    graph = read(sorted(folder.glob("*.ci")))
+    if not graph.frames:
+        raise engine.EngineError(f"{folder} has no call graph: it takes gcc 10 or later")
+    return {name: graph.depth(name) for name in public_functions() if name in graph.frames}
