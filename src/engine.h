@@ -313,10 +313,10 @@ static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn
 }
 /* Not a slip that a contact may have: all of its past is forgotten. */
 #define CAIRN_LET_GO CAIRN_MOTION(1)
-/* How fast what has slipped is taken back, a sub-step. */
+/* How fast what two points have slipped is taken back, a sub-step. */
 static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const cairn_arbiter *arbiter)
 {
-    return arbiter->count < 2 || arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
+    return arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
 }
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);

@@ -25,10 +25,11 @@
 
 /* What a pass makes of a pair. */
 typedef struct pair_state {
-    cairn_motion linear; /* relative velocity along the normal */
+    cairn_motion linear; /* relative velocity along the normal, */
+    cairn_motion before; /* as it was: what it has changed by since are the impulses */
     cairn_motion back_a; /* a's spin, negative */
     cairn_motion spin_b;
-    cairn_motion push, push_a; /* impulses so far; a's part of them where it is not all or half */
+    cairn_motion push_a; /* a's part of the impulses, where it is not all or half */
 } pair_state;
 
 /* What the paths stand for; all constants where the passes ask. */
@@ -49,7 +50,7 @@ CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path)
 CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b)
 {
     pair_state pair;
-    pair.linear = pair.push = pair.push_a = 0;
+    pair.linear = pair.before = pair.push_a = 0;
     pair.back_a = -a->w;
     pair.spin_b = b->w;
     return pair;
@@ -88,7 +89,6 @@ CAIRN_INLINE cairn_motion turn(pair_state *pair, const cairn_arbiter *arbiter, c
 CAIRN_INLINE void press(pair_state *pair, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion change, int path)
 {
     pair->linear += change;
-    pair->push += change;
     if (path == CAIRN_PATH_CENTRAL) {
         pair->push_a = part_of_a(arbiter, change);
     } else if (!is_central(path)) {
@@ -100,6 +100,7 @@ CAIRN_INLINE void press(pair_state *pair, const cairn_arbiter *arbiter, const ca
 CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, int path)
 {
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
+    cairn_motion push = pair->linear - pair->before;
     if (!is_central(path)) {
         b->w = pair->spin_b;
         if (path != CAIRN_PATH_ON_STATIC) {
@@ -107,16 +108,16 @@ CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *
         }
     }
     if (path == CAIRN_PATH_ON_STATIC) {
-        b->vx += cairn_motion_dir(pair->push, nx);
-        b->vy += cairn_motion_dir(pair->push, ny);
+        b->vx += cairn_motion_dir(push, nx);
+        b->vy += cairn_motion_dir(push, ny);
     } else if (is_even(path)) {
-        cairn_motion x = cairn_motion_half_dir(pair->push, nx), y = cairn_motion_half_dir(pair->push, ny);
+        cairn_motion x = cairn_motion_half_dir(push, nx), y = cairn_motion_half_dir(push, ny);
         a->vx -= x;
         a->vy -= y;
         b->vx += x;
         b->vy += y;
     } else {
-        cairn_motion of_b = pair->push - pair->push_a;
+        cairn_motion of_b = push - pair->push_a;
         b->vx += cairn_motion_dir(of_b, nx);
         b->vy += cairn_motion_dir(of_b, ny);
         if (arbiter->share_a != 0) {
@@ -130,22 +131,23 @@ CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *
 CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion rub, int path)
 {
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
+    cairn_motion push = pair->linear - pair->before;
     cairn_motion rub_a = turn(pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
     b->w = pair->spin_b;
     if (path != CAIRN_PATH_ON_STATIC) {
         a->w = -pair->back_a;
     }
     if (path == CAIRN_PATH_ON_STATIC) {
-        b->vx += cairn_motion_along(pair->push, -rub, nx, ny);
-        b->vy += cairn_motion_along(rub, pair->push, nx, ny);
+        b->vx += cairn_motion_along(push, -rub, nx, ny);
+        b->vy += cairn_motion_along(rub, push, nx, ny);
     } else if (is_even(path)) {
-        cairn_motion x = cairn_motion_half_along(pair->push, -rub, nx, ny), y = cairn_motion_half_along(rub, pair->push, nx, ny);
+        cairn_motion x = cairn_motion_half_along(push, -rub, nx, ny), y = cairn_motion_half_along(rub, push, nx, ny);
         a->vx -= x;
         a->vy -= y;
         b->vx += x;
         b->vy += y;
     } else {
-        cairn_motion of_b = pair->push - pair->push_a, rub_b = rub - rub_a;
+        cairn_motion of_b = push - pair->push_a, rub_b = rub - rub_a;
         b->vx += cairn_motion_along(of_b, -rub_b, nx, ny);
         b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
         if (arbiter->share_a != 0) {
@@ -185,7 +187,7 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
     }
     bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
     pair_state pair = load(a, b);
-    pair.linear = cairn_motion_along(alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter->normal_x, arbiter->normal_y);
+    pair.linear = pair.before = cairn_motion_along(alone ? b->vx : b->vx - a->vx, alone ? b->vy : b->vy - a->vy, arbiter->normal_x, arbiter->normal_y);
     cairn_row *row = &arbiter->rows[second], *last = &arbiter->rows[has_two_points(path) && !from_last];
     for (;; row = last) {
         cairn_motion gap = row->gap, old = row->impulse, u = pair.linear, impulse;
@@ -216,7 +218,7 @@ CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
     bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
     cairn_motion x = alone ? b->vx : b->vx - a->vx, y = alone ? b->vy : b->vy - a->vy, pressure = 0;
     pair_state pair = load(a, b);
-    pair.linear = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
+    pair.linear = pair.before = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(y, -x, arbiter->normal_x, arbiter->normal_y);
     cairn_row *row = &arbiter->rows[second], *last = &arbiter->rows[has_two_points(path) && !from_last];
     for (;; row = last) {

@@ -209,7 +209,8 @@ void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, 
         press(&pair, arbiter, row, relaxed(a, b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
     cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    cairn_motion impulse = cairn_arbiter_rub(world, arbiter, u, less(arbiter->friction_impulse, u + cairn_arbiter_pull(world, arbiter), arbiter->friction_mass));
+    cairn_motion pull = arbiter->count < 2 ? 0 : cairn_arbiter_pull(world, arbiter);
+    cairn_motion impulse = cairn_arbiter_rub(world, arbiter, u, less(arbiter->friction_impulse, u + pull, arbiter->friction_mass));
     cairn_motion rub = impulse - arbiter->friction_impulse;
     arbiter->friction_impulse = impulse;
     finish(&pair, arbiter, rub);
