@@ -260,11 +260,13 @@ typedef const uint16_t *way(const cairn_world *world, const uint16_t *at, const 
 #define WAY(name, pass, way_path) \
     static const uint16_t *name(const cairn_world *world, const uint16_t *at, const uint16_t *end, bool from_last) \
     { \
-        cairn_arbiter *arbiter = &world->arbiters[*at]; \
+        cairn_arbiter *const arbiters = world->arbiters, *arbiter = &arbiters[*at]; \
+        cairn_body *const bodies = world->bodies; \
         const unsigned path = arbiter->path; \
+        (void)bodies; \
         do { \
-            pass(world, &world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter, way_path, from_last); \
-        } while (++at != end && (arbiter = &world->arbiters[*at])->path == path); \
+            pass(world, &bodies[arbiter->a], &bodies[arbiter->b], arbiter, way_path, from_last); \
+        } while (++at != end && (arbiter = &arbiters[*at])->path == path); \
         return at; \
     }
 
