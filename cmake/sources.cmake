@@ -38,6 +38,7 @@ set(CAIRN_SOURCES
     src/spring_ends.c
     src/spring_network.c
     src/spring_path.c
+    src/spring_quick.c
     src/spring_reach.c
     src/spring_solve.c
     src/sweep.c

@@ -445,44 +445,16 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1);
 }
 
-/* Lengths below 8 mm, which have no more than 15 bits, and from 256 m, whose products are too long, are not remembered. */
-static cairn_offset take_anew(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length)
 {
-    cairn_unit x_part, y_part;
-    cairn_offset length = cairn_unit_along(x, y, &x_part, &y_part);
     int shift = 17 - cairn_clz((uint32_t)length);
-    bearing->x = cairn_dir_from_unit(x_part);
-    bearing->y = cairn_dir_from_unit(y_part);
-    bearing->inverse = 0;
-    bearing->shift = 0;
-    if (shift > 0 && shift < 16) {
-        int32_t inverse = cairn_offset_fraction(16384 << shift, length) >> 14;
-        bearing->inverse = (uint16_t)(inverse > 65535 ? 65535 : inverse);
-        bearing->shift = (uint16_t)(shift - 1);
-    }
-    return length;
-}
-
-cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
-{
-    int shift = bearing->shift, inverse = bearing->inverse;
-    int32_t sx = ((x >> shift) + 1) >> 1, sy = ((y >> shift) + 1) >> 1;
-    if ((((uint32_t)sx + 32768u) | ((uint32_t)sy + 32768u)) < 65536u) {
-        uint32_t size = ((((uint32_t)(sx * sx) + (uint32_t)(sy * sy)) >> 15) * (uint32_t)inverse) >> 15;
-        int32_t error = (int32_t)((1u << 30) - size * (uint32_t)inverse) >> 13; /* 1 - (length / last length)^2, Q17 */
-        if (size < 65536 && cairn_real_is_within(error, 1 << 12)) {
-            inverse += (inverse * ((error >> 1) + (3 * error * error >> 20)) + 65536) >> 17;
-            if (inverse >> 15 == 1) {
-                int32_t dx = (sx * inverse + 32768) >> 16, dy = (sy * inverse + 32768) >> 16;
-                int32_t excess = (int32_t)size * (dx * dx + dy * dy - (1 << 28)); /* below 33300 times 1.6e-4 of 2^28 */
-                bearing->inverse = (uint16_t)inverse;
-                bearing->x = (cairn_dir)dx;
-                bearing->y = (cairn_dir)dy;
-                return cairn_dot16(x, dx, y, dy, 14) - (((excess >> (27 - shift)) + 1) >> 1);
-            }
-        }
-    }
-    return take_anew(bearing, x, y);
+    frame->x = cairn_dir_from_unit(x);
+    frame->y = cairn_dir_from_unit(y);
+    if (shift < 0 || shift > 11) { return false; }
+    frame->inverse = (uint16_t)(cairn_offset_fraction(16384 << shift, length) >> 15);
+    frame->shift = (uint8_t)shift;
+    frame->rest = (uint8_t)(20 - shift);
+    return true;
 }
 
 /* ---- coefficients ---- */
@@ -494,6 +466,15 @@ cairn_gain cairn_gain_from_wide(cairn_wide k)
     gain.mantissa = (uint16_t)(shift < 0 ? 32767u : shift > 30 ? 0u : k.mantissa >> 17);
     gain.shift = (uint16_t)(shift < 0 || shift > 30 ? 0 : shift);
     if (k.mantissa == 0) { gain.mantissa = 0; }
+    return gain;
+}
+
+cairn_gain cairn_gain_from_share(cairn_share s)
+{
+    int shift = cairn_clz((uint32_t)s) - 2;
+    cairn_gain gain;
+    gain.mantissa = (uint16_t)(shift < 0 ? 32767 : shift > 15 ? s << (shift - 15) : s >> (15 - shift));
+    gain.shift = (uint16_t)(shift < 0 || s == 0 ? 0 : shift);
     return gain;
 }
 

@@ -104,7 +104,6 @@ static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
     cairn_wide whole = cairn_wide_add(cairn_wide_from_int(1), cairn_wide_add(b, d));
     spring->velocity_gain = cairn_wide_to_share(cairn_wide_div(d, whole));
     spring->position_gain = cairn_wide_div(b, whole);
-    spring->pull = cairn_gain_from_wide(spring->position_gain);
     spring->yield = cairn_wide_to_share(cairn_wide_div(cairn_wide_from_int(1), whole));
     spring->flags &= (uint16_t)~CAIRN_SPRING_EXACT;
 }
@@ -131,7 +130,6 @@ bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const c
     spring->velocity_gain = model->velocity_gain;
     spring->yield = model->yield;
     spring->position_gain = model->position_gain;
-    spring->pull = model->pull;
     spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_EXACT) | (model->flags & CAIRN_SPRING_EXACT));
     return true;
 }

@@ -21,8 +21,7 @@
 
 cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t)
 {
-    return cairn_unit_dot(cairn_unit_from_dir(s->direction_x), cairn_unit_from_dir(s->direction_y), cairn_unit_from_dir(t->direction_x),
-                          cairn_unit_from_dir(t->direction_y));
+    return cairn_dir_cosine(s->direction_x, s->direction_y, t->direction_x, t->direction_y);
 }
 
 /* Its two ends change places, so that it goes from a to b as its path does. */
@@ -106,7 +105,7 @@ void cairn_spring_paths(cairn_world *world)
         if (spring->flags & CAIRN_SPRING_TURNED) {
             turn_round(spring); /* what was before decides nothing */
         }
-        spring->flags &= (uint16_t)~(CAIRN_SPRING_HEAD | CAIRN_SPRING_IN_PATH | CAIRN_SPRING_LEVERS);
+        spring->flags &= (uint16_t)~(CAIRN_SPRING_HEAD | CAIRN_SPRING_IN_PATH | CAIRN_SPRING_LEVERS | CAIRN_SPRING_FRAMED);
         if (cairn_spring_is_used(spring)) {
             const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
             cairn_reach r;
@@ -121,8 +120,9 @@ void cairn_spring_paths(cairn_world *world)
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
-        spring->heading.x = spring->direction_x;
-        spring->heading.y = spring->direction_y;
+        spring->frame.x = spring->direction_x;
+        spring->frame.y = spring->direction_y;
+        spring->swing = 0;
         if (spring->flags & CAIRN_SPRING_HEAD) {
             *link = i;
             link = &spring->previous;
@@ -139,20 +139,6 @@ static cairn_factor coupling(const cairn_body *common, const cairn_spring *s, co
     cairn_factor linear = common->flags & CAIRN_BODY_FIXED_POSITION ? 0
                         : cairn_factor_mul(cairn_factor_from_share(share), cairn_factor_from_share(cairn_spring_cosine(s, t)));
     return -linear - cairn_factor_spin(share, js, jt);
-}
-
-static bool is_within(cairn_factor f, cairn_factor limit) { return f <= limit && -f <= limit; }
-
-/* Are a spring's factors small enough for short products? Then they are rounded for those. */
-static bool shorten(cairn_spring *spring)
-{
-    bool mild = is_within(spring->before, CAIRN_FACTOR(1)) && is_within(spring->behind, CAIRN_FACTOR(1)) && spring->inverse_pivot < CAIRN_FACTOR(3.99);
-    if (mild) {
-        spring->before = cairn_factor_shortened(spring->before);
-        spring->behind = cairn_factor_shortened(spring->behind);
-        spring->inverse_pivot = cairn_factor_halved(spring->inverse_pivot);
-    }
-    return mild;
 }
 
 /* Eliminate downwards: what each spring takes from the one before (before), its pivot and what it gives to the one behind. */
@@ -180,22 +166,12 @@ void cairn_path_factorise(cairn_world *world, uint16_t head)
             cairn_factor of_next = coupling(&world->bodies[spring->b], next, spring, next->share_a, next->lever_a, spring->lever_b);
             spring->behind = cairn_factor_mul(cairn_factor_mul(gain, of_next), spring->inverse_pivot);
         }
-        spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_MILD) | cairn_flag_if(shorten(spring), CAIRN_SPRING_MILD));
         previous = spring;
     }
     pool->springs[head].flags |= (uint16_t)levers;
 }
 
 /* ---- the sub-step ---- */
-
-/*
- * No impulse of a path is above IMPULSE_MAX, no demand above DEMAND_MAX, m per sub-step: with factors of at most 1 no sum wraps, nor does
- * a body's speed when two springs push it at once: 2 IMPULSE_MAX + CAIRN_SWEEP_SPEED < 8.
- */
-#define IMPULSE_MAX CAIRN_MOTION(3.5)
-#define DEMAND_MAX CAIRN_MOTION(4)
-/* What may be multiplied by a mild spring's inverse pivot, 4 at most. */
-#define MILD_MAX CAIRN_MOTION(0.875)
 
 /* x more, within the limit; the velocity before goes along, so that their difference, which is repeated, stays as it is. */
 static inline void accelerate(cairn_motion *v, cairn_motion *u, cairn_motion x, cairn_motion limit)
@@ -205,15 +181,7 @@ static inline void accelerate(cairn_motion *v, cairn_motion *u, cairn_motion x, 
     *v = changed;
 }
 
-static void twist(cairn_body *body, cairn_motion impulse, cairn_lever lever)
-{
-    if (lever != 0) {
-        accelerate(&body->w, &body->uw, cairn_twist(impulse, lever), CAIRN_SWEEP_SPIN);
-    }
-}
-
-/* Both within 2 IMPULSE_MAX. */
-static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
+void cairn_spring_shift(cairn_body *body, cairn_motion x, cairn_motion y)
 {
     accelerate(&body->vx, &body->ux, x, CAIRN_SWEEP_SPEED);
     accelerate(&body->vy, &body->uy, y, CAIRN_SWEEP_SPEED);
@@ -222,9 +190,9 @@ static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
 void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
     if (cairn_body_is_free_to_shift(body)) {
-        shift(body, cairn_motion_clamp(x, IMPULSE_MAX), cairn_motion_clamp(y, IMPULSE_MAX));
+        cairn_spring_shift(body, cairn_motion_clamp(x, CAIRN_SPRING_IMPULSE), cairn_motion_clamp(y, CAIRN_SPRING_IMPULSE));
     }
-    accelerate(&body->w, &body->uw, cairn_motion_clamp(turn, 2 * IMPULSE_MAX), CAIRN_SWEEP_SPIN);
+    accelerate(&body->w, &body->uw, cairn_motion_clamp(turn, 2 * CAIRN_SPRING_IMPULSE), CAIRN_SWEEP_SPIN);
 }
 
 /* Velocity of b relative to a along the spring. */
@@ -234,34 +202,14 @@ cairn_motion cairn_spring_speed(const cairn_spring *spring, const cairn_body *a,
     return cairn_motion_add(u, cairn_motion_lever(b->w, spring->lever_b) - cairn_motion_lever(a->w, spring->lever_a));
 }
 
-typedef struct place {
-    cairn_offset x, y;
-} place;
-
-/* Where a body's centre will be at the end of the sub-step, with its velocity as it is. */
-static inline place ahead_of(const cairn_body *body)
-{
-    place p;
-    p.x = cairn_coordinate_ahead(body->x, body->x_residue, body->dx + body->vx);
-    p.y = cairn_coordinate_ahead(body->y, body->y_residue, body->dy + body->vy);
-    return p;
-}
-
-/* B C* */
-static inline cairn_motion pull(const cairn_spring *spring, cairn_offset elongation)
-{
-    return cairn_offset_is_short(elongation) ? cairn_motion_gain(elongation, spring->pull)
-         : cairn_motion_clamp(cairn_motion_from_offset_wide(elongation, spring->position_gain), DEMAND_MAX);
-}
-
-/* D u + B C* of a spring in general. */
-static cairn_motion demand_with_levers(const cairn_world *world, cairn_spring *spring, cairn_turn *turned)
+/* D u + B C* */
+static cairn_motion demand(const cairn_world *world, cairn_spring *spring, cairn_turn *turned)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_offset length = cairn_spring_aim(spring, a, b, false, turned);
-    cairn_motion demand = pull(spring, length - spring->rest_length);
+    cairn_motion demand = cairn_motion_clamp(cairn_motion_from_offset_wide(length - spring->rest_length, spring->position_gain), CAIRN_SPRING_DEMAND);
     demand = cairn_motion_add(demand, cairn_motion_share(cairn_spring_speed(spring, a, b), spring->velocity_gain));
-    return cairn_motion_clamp(cairn_motion_factor(demand, cairn_spring_mass(world, spring)), DEMAND_MAX);
+    return cairn_motion_clamp(cairn_motion_factor(demand, cairn_spring_mass(world, spring)), CAIRN_SPRING_DEMAND);
 }
 
 /* The right sides of a path's equations: D u + B C*. How far its springs turned, at most. */
@@ -269,94 +217,60 @@ static cairn_turn ask(cairn_world *world, uint16_t head)
 {
     cairn_spring *springs = world->springs->springs;
     cairn_turn most = 0;
-    const cairn_body *a = &world->bodies[springs[head].a];
-    place from = ahead_of(a);
     for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        cairn_spring *spring = &springs[i];
-        const cairn_body *b = &world->bodies[spring->b];
-        place to = ahead_of(b);
         cairn_turn turned;
-        if (spring->flags & CAIRN_SPRING_PLAIN) {
-            cairn_offset length = cairn_spring_face(spring, cairn_offset_between(from.x, to.x), cairn_offset_between(from.y, to.y), false, &turned);
-            cairn_motion demand = pull(spring, length - spring->rest_length);
-            if (spring->velocity_gain != 0) {
-                cairn_motion u = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, spring->direction_x, spring->direction_y);
-                demand += cairn_motion_unit(u, spring->velocity_gain);
-            }
-            spring->impulse = demand;
-        } else {
-            spring->impulse = demand_with_levers(world, spring, &turned);
-        }
+        springs[i].impulse = demand(world, &springs[i], &turned);
         most = turned > most ? turned : most;
-        a = b;
-        from = to;
     }
     return most;
 }
 
-/*
- * What the springs of a path yield to the impulses that the sweep before gave them. As B + D + yield is 1, the sum is no greater than
- * the greatest of the three.
- */
-static void ask_more(cairn_spring *springs, uint16_t head)
+cairn_motion cairn_spring_ask_more(const cairn_spring *spring, cairn_motion demand)
 {
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        springs[i].impulse = cairn_motion_clamp(springs[i].impulse + cairn_motion_share(springs[i].sum, springs[i].yield), DEMAND_MAX);
-    }
+    return cairn_motion_clamp(demand + cairn_motion_share(spring->sum, spring->yield), CAIRN_SPRING_DEMAND);
+}
+
+cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand, cairn_motion before)
+{
+    cairn_motion left = cairn_motion_add(demand, cairn_motion_factor(before, spring->before));
+    return -cairn_motion_clamp(cairn_motion_factor(left, spring->inverse_pivot), CAIRN_SPRING_IMPULSE);
 }
 
 /* The impulses that satisfy a path's equations: down the path, each from what the one before takes, the last one's being final. */
-static uint16_t eliminate(cairn_spring *springs, uint16_t head)
+static uint16_t eliminate(cairn_spring *springs, uint16_t head, bool again)
 {
     cairn_motion impulse = 0;
     uint16_t last = head;
     for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
         cairn_spring *spring = &springs[i];
-        bool mild = (spring->flags & CAIRN_SPRING_MILD) != 0;
-        cairn_motion left = mild ? spring->impulse + cairn_motion_factor_short(impulse, spring->before)
-                          : cairn_motion_add(spring->impulse, cairn_motion_factor(impulse, spring->before));
-        impulse = mild && cairn_motion_clamp(left, MILD_MAX) == left ? -cairn_motion_factor_halved(left, spring->inverse_pivot)
-                : -cairn_motion_clamp(cairn_motion_factor(left, spring->inverse_pivot), IMPULSE_MAX);
+        impulse = cairn_spring_answer(spring, again ? cairn_spring_ask_more(spring, spring->impulse) : spring->impulse, impulse);
         spring->impulse = impulse;
         last = i;
     }
     return last;
 }
 
-/* Back up the path: what is behind a spring counts too. Each body gets the pushes of both of its springs at once. */
+static void push(cairn_world *world, uint16_t body, cairn_motion impulse, const cairn_spring *spring, cairn_lever lever)
+{
+    cairn_spring_push(&world->bodies[body], cairn_motion_dir(impulse, spring->direction_x), cairn_motion_dir(impulse, spring->direction_y),
+                      cairn_twist(impulse, lever));
+}
+
+/* Back up the path: what is behind a spring counts too. */
 static void apply(cairn_world *world, uint16_t head, uint16_t last)
 {
     cairn_spring *springs = world->springs->springs;
-    cairn_motion impulse = 0, x = 0, y = 0;
+    cairn_motion impulse = 0;
     for (uint16_t i = last;; i = springs[i].previous) {
         cairn_spring *spring = &springs[i];
-        cairn_body *b = &world->bodies[spring->b];
-        cairn_motion behind = spring->flags & CAIRN_SPRING_MILD ? cairn_motion_factor_short(impulse, spring->behind)
-                            : cairn_motion_clamp(cairn_motion_factor(impulse, spring->behind), IMPULSE_MAX);
-        impulse = cairn_motion_clamp(spring->impulse - behind, IMPULSE_MAX);
+        cairn_motion behind = cairn_motion_clamp(cairn_motion_factor(impulse, spring->behind), CAIRN_SPRING_IMPULSE);
+        impulse = cairn_motion_clamp(spring->impulse - behind, CAIRN_SPRING_IMPULSE);
         spring->sum = impulse;
-        cairn_motion part = cairn_motion_share(impulse, spring->share_b);
-        cairn_motion part_x = cairn_motion_dir(part, spring->direction_x), part_y = cairn_motion_dir(part, spring->direction_y);
-        if (spring->flags & CAIRN_SPRING_PLAIN || cairn_body_is_free_to_shift(b)) {
-            shift(b, part_x - x, part_y - y);
-        }
-        if (!(spring->flags & CAIRN_SPRING_PLAIN)) {
-            twist(b, part, spring->lever_b);
-            twist(&world->bodies[spring->a], -cairn_motion_share(impulse, spring->share_a), spring->lever_a);
-        }
-        if (spring->share_a != spring->share_b) {
-            part = cairn_motion_share(impulse, spring->share_a);
-            part_x = cairn_motion_dir(part, spring->direction_x);
-            part_y = cairn_motion_dir(part, spring->direction_y);
-        }
-        x = part_x;
-        y = part_y;
+        push(world, spring->b, cairn_motion_share(impulse, spring->share_b), spring, spring->lever_b);
+        push(world, spring->a, -cairn_motion_share(impulse, spring->share_a), spring, spring->lever_a);
         if (i == head) {
-            break;
+            return;
         }
-    }
-    if (cairn_body_is_free_to_shift(&world->bodies[springs[head].a])) {
-        shift(&world->bodies[springs[head].a], -x, -y);
     }
 }
 
@@ -367,8 +281,5 @@ void cairn_path_solve(cairn_world *world, uint16_t head, bool again)
     if (springs[head].turned > STALE) {
         cairn_path_factorise(world, head);
     }
-    if (again) {
-        ask_more(springs, head);
-    }
-    apply(world, head, eliminate(springs, head));
+    apply(world, head, eliminate(springs, head, again));
 }

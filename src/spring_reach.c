@@ -90,11 +90,29 @@ static cairn_unit greater(cairn_unit a, cairn_unit b)
 /* A change of a lever, over 4. */
 static cairn_unit quarter_of(cairn_lever from, cairn_lever to) { return cairn_motion_lever(CAIRN_UNIT(0.125), to) * 2 - cairn_motion_lever(CAIRN_UNIT(0.125), from) * 2; }
 
+/* The spring will end the sub-step along (x, y): its length there, and which way it pushes. */
+static cairn_offset face(cairn_spring *spring, cairn_offset2 p, bool ahead, cairn_turn *turned)
+{
+    cairn_unit x, y;
+    cairn_offset length = cairn_unit_along(p.x, p.y, &x, &y);
+    cairn_dir from_x = spring->frame.x, from_y = spring->frame.y, to_x = cairn_dir_from_unit(x), to_y = cairn_dir_from_unit(y);
+    *turned = cairn_dir_turn(from_x, from_y, to_x, to_y);
+    spring->frame.x = to_x;
+    spring->frame.y = to_y;
+    if (!ahead && *turned < CAIRN_SPRING_FAST && !cairn_spring_is_taut(spring, length)) {
+        to_x = cairn_dir_towards(from_x, to_x);
+        to_y = cairn_dir_towards(from_y, to_y);
+    }
+    spring->direction_x = to_x;
+    spring->direction_y = to_y;
+    return length;
+}
+
 cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_turn *turned)
 {
     cairn_reach r;
     cairn_offset2 p = foresee(spring, a, b, &r);
-    cairn_offset length = cairn_spring_face(spring, p.x, p.y, ahead, turned);
+    cairn_offset length = face(spring, p, ahead, turned);
     if (cairn_spring_is_off_centre(spring)) {
         cairn_unit x = cairn_unit_from_dir(spring->direction_x), y = cairn_unit_from_dir(spring->direction_y);
         cairn_lever lever_a = cairn_spring_lever(a, r.arm_a, x, y), lever_b = cairn_spring_lever(b, r.arm_b, x, y);

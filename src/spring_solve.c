@@ -41,45 +41,58 @@ static bool is_active(const cairn_world *world, const cairn_spring *spring)
     return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
 }
 
-/*
- * Whether a spring goes from centre to centre of bodies that may shift, or are at rest, and are not far apart, at the end of the step
- * either: a body moves by less than 8 m in it.
- */
-static inline bool is_plain(const cairn_spring *spring, const cairn_body *a, const cairn_body *b)
+/* Whether a spring goes from centre to centre of bodies that may shift, or are at rest. */
+static bool is_plain(const cairn_world *world, const cairn_spring *spring)
 {
-    cairn_real near = CAIRN_SPRING_FAR - 2 * CAIRN_F(8);
-    return cairn_real_is_within(b->x - a->x, near) && cairn_real_is_within(b->y - a->y, near)
-        && !((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring);
+    unsigned flags = world->bodies[spring->a].flags | world->bodies[spring->b].flags;
+    return !(flags & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring);
+}
+
+/* When springs have changed: which belong together, and what a sub-step makes of each. */
+static void sort(cairn_world *world)
+{
+    cairn_spring_pool *pool = world->springs;
+    const cairn_spring *last = NULL;
+    count_ends(world);
+    cairn_spring_find_ends(pool);
+    cairn_spring_paths(world);
+    cairn_spring_networks(world);
+    for (uint16_t i = 0; i < pool->end; i++) {
+        cairn_spring *spring = &pool->springs[i];
+        if (cairn_spring_is_used(spring)) {
+            spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_PLAIN) | cairn_flag_if(is_plain(world, spring), CAIRN_SPRING_PLAIN));
+            if (last == NULL || !cairn_spring_map_as(world, spring, last)) {
+                cairn_spring_map(world, spring);
+            }
+            last = spring;
+        }
+    }
+}
+
+/* What of a path's springs and equations depends on where they are. */
+static void prepare_path(cairn_world *world, uint16_t head, bool changed)
+{
+    cairn_spring *springs = world->springs->springs, *first = &springs[head];
+    if (changed) {
+        cairn_path_look(world, head);
+    }
+    if (!cairn_path_follow(world, head) && (changed || first->flags & CAIRN_SPRING_LEVERS)) {
+        for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+            if (!changed && cairn_spring_is_off_centre(&springs[i])) {
+                cairn_spring_map(world, &springs[i]);
+            }
+        }
+        cairn_path_factorise(world, head);
+    }
 }
 
 void cairn_springs_prepare(cairn_world *world)
 {
     cairn_spring_pool *pool = world->springs;
     bool changed = pool->changed;
-    const cairn_spring *last = NULL;
     pool->changed = false;
     if (changed) {
-        count_ends(world);
-        cairn_spring_find_ends(pool);
-        cairn_spring_paths(world);
-        cairn_spring_networks(world);
-    }
-    for (uint16_t i = 0; i < pool->end; i++) {
-        cairn_spring *spring = &pool->springs[i];
-        if (!cairn_spring_is_used(spring)) {
-            continue;
-        }
-        if (is_plain(spring, &world->bodies[spring->a], &world->bodies[spring->b])) {
-            spring->flags |= CAIRN_SPRING_PLAIN;
-        } else {
-            spring->flags &= (uint16_t)~CAIRN_SPRING_PLAIN;
-        }
-        if (changed && last != NULL && cairn_spring_map_as(world, spring, last)) {
-            last = spring;
-        } else if (changed || (!(spring->flags & CAIRN_SPRING_PLAIN) && cairn_spring_is_off_centre(spring) && is_active(world, spring))) {
-            cairn_spring_map(world, spring);
-            last = spring;
-        }
+        sort(world);
     }
     if (changed || (world->stats.steps & 7u) == 0) {
         bool more = cairn_spring_entangle(world);
@@ -88,9 +101,8 @@ void cairn_springs_prepare(cairn_world *world)
         }
     }
     for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
-        const cairn_spring *spring = &pool->springs[i];
-        if (leads(pool, spring) && (changed || ((spring->flags & CAIRN_SPRING_LEVERS) && is_active(world, spring)))) {
-            cairn_path_factorise(world, i);
+        if (leads(pool, &pool->springs[i]) && (changed || is_active(world, &pool->springs[i]))) {
+            prepare_path(world, i, changed);
         }
     }
 }
@@ -136,6 +148,15 @@ static void solve_exactly(cairn_world *world, cairn_spring *spring)
     cairn_spring_push(b, cairn_motion_unit(of_b, r.x), cairn_motion_unit(of_b, r.y), cairn_twist(of_b, spring->lever_b));
 }
 
+static void solve_path(cairn_world *world, uint16_t head, bool again)
+{
+    if (world->springs->springs[head].flags & CAIRN_SPRING_FRAMED) {
+        cairn_path_solve_quickly(world, head, again);
+    } else {
+        cairn_path_solve(world, head, again);
+    }
+}
+
 /*
  * Path after path; entangled networks a second time, in the opposite order. In one order only, what a sweep leaves undone
  * may turn the error as well as shrink it, and feeds oscillations (a wheel of 1e5 N/m flies apart). There and back,
@@ -156,13 +177,13 @@ void cairn_springs_substep(cairn_world *world, int substep)
         if (spring->flags & CAIRN_SPRING_EXACT) {
             solve_exactly(world, spring);
         } else {
-            cairn_path_solve(world, i, false);
+            solve_path(world, i, false);
         }
     }
     for (uint16_t i = pool->end; pool->entangled && i > 0; i--) {
         const cairn_spring *spring = &pool->springs[i - 1];
         if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && is_active(world, spring)) {
-            cairn_path_solve(world, (uint16_t)(i - 1), true);
+            solve_path(world, (uint16_t)(i - 1), true);
         }
     }
 }

@@ -1,6 +1,6 @@
 /*
  * What the files of springs share: spring.c (the pool and the game's calls) -> spring_solve.c (step and sub-step)
- * -> spring_map.c (one spring), spring_ends.c, spring_network.c and spring_path.c (many), spring_reach.c (where they are).
+ * -> spring_map.c (one spring), spring_ends.c, spring_network.c, spring_path.c and spring_quick.c (many), spring_reach.c (where they are).
  */
 #ifndef CAIRN_SPRING_SOLVE_H
 #define CAIRN_SPRING_SOLVE_H
@@ -20,8 +20,9 @@ enum {
     CAIRN_SPRING_ENTANGLED = 128, /* of a network's first: its paths pull along one another */
     CAIRN_SPRING_LEVERS = 256,    /* of a path's first: some anchors are off their centres */
     CAIRN_SPRING_MESHED = 512,    /* of a network's first: solved as a whole */
-    CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre, and short of CAIRN_SPRING_FAR: the quick path */
-    CAIRN_SPRING_MILD = 2048      /* the factors of its path fit short products */
+    CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre of bodies that may shift or are at rest */
+    CAIRN_SPRING_SIMPLE = 2048,   /* of a path's first: all of them are plain */
+    CAIRN_SPRING_FRAMED = 4096    /* of a path's first: they have frames, see spring_quick.c */
 };
 
 static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
@@ -68,32 +69,15 @@ cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const c
 /* A spring that turns faster than this in a sub-step, rad. */
 #define CAIRN_SPRING_FAST CAIRN_TURN(0.03)
 
-/* A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64. */
+/*
+ * Which way a spring pushes. Along the foreseen direction a spring that turns fast, or that a strong pull swings fast, gains no energy; but
+ * it takes away of any swing, (turn in a sub-step)^2 each time. So the others push along a direction only a quarter of the way from that
+ * at the start to the one foreseen. A spring is taut if its pull would swing it about itself with (w h)^2 beyond about 1 / 64.
+ */
 static inline bool cairn_spring_is_taut(const cairn_spring *spring, cairn_offset length)
 {
     cairn_motion most = cairn_motion_64th(length);
     return spring->sum > most || -spring->sum > most;
-}
-
-/*
- * Which way a spring pushes that will end the sub-step along (x, y); its length there. Along the foreseen direction a spring that turns
- * fast, or that a strong pull swings fast, gains no energy; but it takes away of any swing, (turn in a sub-step)^2 each time. So
- * the others push along a direction only a quarter of the way from that at the start to the one foreseen.
- */
-static inline cairn_offset cairn_spring_face(cairn_spring *spring, cairn_offset x, cairn_offset y, bool ahead, cairn_turn *turned)
-{
-    cairn_dir from_x = spring->heading.x, from_y = spring->heading.y;
-    cairn_offset length = cairn_bearing_take(&spring->heading, x, y);
-    cairn_dir to_x = spring->heading.x, to_y = spring->heading.y;
-    cairn_turn turn = cairn_dir_turn(from_x, from_y, to_x, to_y);
-    *turned = turn;
-    if (!ahead && (to_x != from_x || to_y != from_y) && turn < CAIRN_SPRING_FAST && !cairn_spring_is_taut(spring, length)) {
-        to_x = cairn_dir_towards(from_x, to_x);
-        to_y = cairn_dir_towards(from_y, to_y);
-    }
-    spring->direction_x = to_x;
-    spring->direction_y = to_y;
-    return length;
 }
 
 /* ---- spring_map.c ---- */
@@ -112,9 +96,26 @@ void cairn_spring_paths(cairn_world *world);
 void cairn_path_factorise(cairn_world *world, uint16_t head);
 /* The springs of a path, together; again: after another sweep in this sub-step. */
 void cairn_path_solve(cairn_world *world, uint16_t head, bool again);
+/* No impulse of a path is above this, no demand above CAIRN_DEMAND_MAX, m per sub-step: with factors of at most 1 no sum wraps. */
+#define CAIRN_SPRING_IMPULSE CAIRN_MOTION(3.5)
+#define CAIRN_SPRING_DEMAND CAIRN_MOTION(4)
+/* A demand with what a spring yields to the impulse that the sweep before gave it. As B + D + yield is 1, the sum is no greater than the greatest of the three. */
+cairn_motion cairn_spring_ask_more(const cairn_spring *spring, cairn_motion demand);
+/* The impulse that meets a demand, after the one that the spring before on the path takes. */
+cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand, cairn_motion before);
+/* x and y more, both within 2 CAIRN_SPRING_IMPULSE, so that no sum wraps when two springs push at once: 7 + CAIRN_SWEEP_SPEED < 8. */
+void cairn_spring_shift(cairn_body *body, cairn_motion x, cairn_motion y);
 cairn_motion cairn_spring_speed(const cairn_spring *spring, const cairn_body *a, const cairn_body *b);
 /* Add a velocity change to a body, and to the velocity that the warm start compares with. */
 void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn);
+
+/* ---- spring_quick.c: paths of plain springs ---- */
+/* When springs have changed: which paths are such. */
+void cairn_path_look(cairn_world *world, uint16_t head);
+/* At the start of a step; false if the path is none, or has to be solved with care. */
+bool cairn_path_follow(cairn_world *world, uint16_t head);
+/* The sub-step of a path that is framed. */
+void cairn_path_solve_quickly(cairn_world *world, uint16_t head, bool again);
 
 /* ---- spring_network.c ---- */
 /* Which springs belong together. After the paths. */

@@ -159,19 +159,44 @@ static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return d; }
 static inline cairn_real cairn_real_from_unit(cairn_unit u) { return u; }
 static inline cairn_lever cairn_lever_negate(cairn_lever j) { return -j; }
 static inline cairn_dir cairn_dir_negate(cairn_dir d) { return -d; }
-static inline cairn_offset cairn_coordinate_ahead(cairn_real x, cairn_residue residue, cairn_motion by)
+static inline cairn_real cairn_real_below_motion(cairn_motion x) { return x; }
+static inline cairn_motion cairn_motion_between(cairn_real way, cairn_residue from_residue, cairn_residue to_residue)
 {
-    (void)residue;
-    return x + by;
+    (void)from_residue;
+    (void)to_residue;
+    return way;
 }
-static inline cairn_offset cairn_offset_between(cairn_offset from, cairn_offset to) { return to - from; }
-typedef struct cairn_bearing {
+static inline cairn_motion cairn_motion_apart(cairn_motion from, cairn_motion to, cairn_motion origin) { return to - from + origin; }
+typedef struct cairn_frame {
     cairn_dir x, y;
-} cairn_bearing;
-static inline cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y)
+    double inverse, limit;
+} cairn_frame;
+typedef double cairn_swing;
+static inline bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length)
 {
-    return cairn_unit_along(x, y, &bearing->x, &bearing->y);
+    int exponent;
+    frexp(length, &exponent);
+    frame->x = x;
+    frame->y = y;
+    frame->inverse = 1 / length;
+    frame->limit = ldexp(1, exponent - 6);
+    return length >= 1.0 / 256 && length < 16;
 }
+static inline bool cairn_frame_holds(const cairn_frame *frame, cairn_motion x, cairn_motion y) { return fabs(x) < frame->limit && fabs(y) < frame->limit; }
+static inline bool cairn_frame_holds_well(const cairn_frame *frame, cairn_real x, cairn_real y) { return cairn_frame_holds(frame, 2 * x, 2 * y); }
+static inline cairn_motion cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_swing *swing)
+{
+    double across = y * frame->x - x * frame->y;
+    *swing = across * frame->inverse;
+    return x * frame->x + y * frame->y + across * *swing / 2;
+}
+static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_swing swing) { return frame->x - swing * frame->y; }
+static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_swing swing) { return frame->y + swing * frame->x; }
+static inline cairn_swing cairn_frame_swing(const cairn_frame *frame, cairn_dir x, cairn_dir y) { return frame->x * y - frame->y * x; }
+#define CAIRN_LAG_NONE 0
+#define CAIRN_LAG_QUARTER 2
+static inline cairn_swing cairn_swing_towards(cairn_swing from, cairn_swing to, uint8_t lag) { return lag == CAIRN_LAG_NONE ? to : from + (to - from) / 4; }
+static inline cairn_unit cairn_dir_cosine(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return ax * bx + ay * by; }
 typedef double cairn_turn;
 #define CAIRN_TURN(x) ((cairn_turn)(x))
 static inline cairn_turn cairn_dir_turn(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return fmax(fabs(ax - bx), fabs(ay - by)); }
@@ -218,13 +243,14 @@ static inline cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, 
     return square > 0 ? sqrt(square) : 0;
 }
 static inline cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f) { return x / f; }
-static inline cairn_motion cairn_motion_factor_short(cairn_motion a, cairn_factor f) { return a * f; }
-static inline cairn_motion cairn_motion_factor_halved(cairn_motion a, cairn_factor f) { return a * f; }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return x * k; }
 typedef double cairn_gain;
 static inline cairn_gain cairn_gain_from_wide(cairn_wide k) { return k; }
-static inline bool cairn_offset_is_short(cairn_offset x) { return x < 4 && -x < 4; }
-static inline cairn_motion cairn_motion_gain(cairn_offset x, cairn_gain k) { return x * k; }
+static inline cairn_gain cairn_gain_from_share(cairn_share s) { return s; }
+static inline cairn_gain cairn_gain_times_half(cairn_gain k, cairn_factor f) { return k * f / 2; }
+static inline cairn_gain cairn_gain_zero(void) { return 0; }
+static inline bool cairn_gain_is_zero(cairn_gain k) { return k == 0; }
+static inline cairn_motion cairn_motion_gain(cairn_motion x, cairn_gain k) { return x * k; }
 static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x / 64; }
 
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
@@ -294,8 +320,7 @@ static inline cairn_factor cairn_factor_from_real(cairn_real x) { return x; }
 static inline cairn_factor cairn_factor_from_share(cairn_share s) { return s; }
 static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn_lever k) { return s * j * k; }
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return x; }
-static inline cairn_factor cairn_factor_shortened(cairn_factor f) { return f; }
-static inline cairn_factor cairn_factor_halved(cairn_factor f) { return f; }
+static inline cairn_ratio cairn_ratio_from_factor(cairn_factor f) { return f; }
 static inline cairn_factor cairn_factor_reciprocal(cairn_factor f) { return 1 / f; }
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return a * b; }
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }

@@ -339,29 +339,69 @@ static inline cairn_real cairn_real_from_unit(cairn_unit u) { return (u + 8192) 
 static inline cairn_lever cairn_lever_negate(cairn_lever j) { return (cairn_lever)-j; }
 static inline cairn_dir cairn_dir_negate(cairn_dir d) { return (cairn_dir)-d; }
 
-/* Where a coordinate will be when it has moved, from the origin; wraps, so that only differences of two that are less than 512 m apart
-   mean anything. |by| < 7.9 m */
-static inline cairn_offset cairn_coordinate_ahead(cairn_real x, cairn_residue residue, cairn_motion by)
+/* The part of a motion that a coordinate's own steps can say, the rest being less than one of them. */
+static inline cairn_real cairn_real_below_motion(cairn_motion x) { return x >> 12; }
+/* A short way on an axis, as a coordinate says it, with the residues of both its ends. */
+static inline cairn_motion cairn_motion_between(cairn_real way, cairn_residue from_residue, cairn_residue to_residue)
 {
-    return (cairn_offset)(((uint32_t)x << 6) + (uint32_t)((by + (int32_t)residue + 32) >> 6));
+    return (cairn_motion)(((uint32_t)way << 12) + (uint32_t)((int32_t)to_residue - (int32_t)from_residue));
 }
-static inline cairn_offset cairn_offset_between(cairn_offset from, cairn_offset to) { return (cairn_offset)((uint32_t)to - (uint32_t)from); }
+/* to - from + origin; it wraps, so that only a result below 8 m means anything. */
+static inline cairn_motion cairn_motion_apart(cairn_motion from, cairn_motion to, cairn_motion origin)
+{
+    return (cairn_motion)((uint32_t)to - (uint32_t)from + (uint32_t)origin);
+}
 
 /*
- * A direction, and what is remembered of the length along it: the inverse of its upper 15 bits in Q30, and how many bits are below
- * them, less one. Inverse 0: nothing.
+ * What is known of a vector, to say how long it is and where it looks when it has changed by little: its direction, the inverse of its
+ * length L, and by how much at most it may change on each axis, 2^(15 + shift) units of Q4.28, which is a 64th to a 32nd of L.
  */
-typedef struct cairn_bearing {
+typedef struct cairn_frame {
     cairn_dir x, y;
-    uint16_t inverse, shift;
-} cairn_bearing;
-/*
- * The direction of (x, y), within 2.1 units, and its length, within 1.5 units and a 2^-12th of what it has changed by. One step of third
- * order from the last length's inverse, if it has changed by less than 1.6 % since. The direction's error counts squared in the
- * length, for by how much it is too long or too short is known and taken back.
- */
-cairn_offset cairn_bearing_take(cairn_bearing *bearing, cairn_offset x, cairn_offset y);
+    uint16_t inverse;    /* of L / 2^(shift - 7), which is in [1/2, 1): Q14 */
+    uint8_t shift, rest; /* rest: 20 - shift */
+} cairn_frame;
+/* A small angle from a frame's direction, rad, Q19 in 16 bits. */
+typedef int16_t cairn_swing;
 
+/* From the unit vector and the length; false if that is not in [2^-8 m, 16 m). */
+bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length);
+/* Whether a change is as small as the frame wants it. */
+static inline bool cairn_frame_holds(const cairn_frame *frame, cairn_motion x, cairn_motion y)
+{
+    return (((uint32_t)(x >> frame->shift) + 32768u) | ((uint32_t)(y >> frame->shift) + 32768u)) < 65536u;
+}
+/* Whether one that coordinates say is half as small. */
+static inline bool cairn_frame_holds_well(const cairn_frame *frame, cairn_real x, cairn_real y)
+{
+    return (uint32_t)((x ^ (x >> 31)) | (y ^ (y >> 31))) >> (frame->shift + 2) == 0;
+}
+/*
+ * By how much the vector is longer than the frame's when it has changed by (x, y), for which the frame holds, and its angle. With s
+ * along the frame and t across it: s + t^2 / 2L, up to L times an eighth of the angle's fourth power, a part in 10^7 for a 32nd.
+ */
+static inline cairn_motion cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_swing *swing)
+{
+    int32_t across = ((y >> frame->shift) * frame->x - (x >> frame->shift) * frame->y) >> 14; /* at most 46341 */
+    int32_t angle = (across * frame->inverse) >> 16;
+    *swing = (cairn_swing)angle;
+    return cairn_dot16(x, frame->x, y, frame->y, 14) + ((across * angle) >> frame->rest);
+}
+/* The direction at a small angle from the frame's; longer than 1 by half the angle's square. */
+static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_swing swing) { return (cairn_dir)(frame->x - ((swing * frame->y + 262144) >> 19)); }
+static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_swing swing) { return (cairn_dir)(frame->y + ((swing * frame->x + 262144) >> 19)); }
+/* The small angle of another direction, of which it is the sine. */
+static inline cairn_swing cairn_frame_swing(const cairn_frame *frame, cairn_dir x, cairn_dir y)
+{
+    return (cairn_swing)cairn_clamp((frame->x * y - frame->y * x) >> 9, INT16_MAX);
+}
+/* The whole way, or a quarter of it. */
+#define CAIRN_LAG_NONE 0
+#define CAIRN_LAG_QUARTER 2
+static inline cairn_swing cairn_swing_towards(cairn_swing from, cairn_swing to, uint8_t lag) { return (cairn_swing)(from + ((to - from) >> lag)); }
+
+/* The cosine of the angle between two directions. */
+static inline cairn_unit cairn_dir_cosine(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return (ax * bx + ay * by) * 4; }
 /* By how much a direction turns: the greater change of its components, within a unit of Q14. */
 typedef int32_t cairn_turn;
 #define CAIRN_TURN(x) ((cairn_turn)CAIRN_ROUND(x, 16384.0))
@@ -447,9 +487,6 @@ static inline cairn_motion cairn_motion_unit(cairn_motion x, cairn_unit u) { ret
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s);
 /* x / f, within 2^-31 of it and half a unit; saturates, f > 0 */
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f);
-/* The same for a coefficient that cairn_factor_shortened or cairn_factor_halved has rounded: at most 1 in size, or below 4. The result must fit. */
-static inline cairn_motion cairn_motion_factor_short(cairn_motion a, cairn_factor f) { return cairn_mul16(a, f >> 6, 14); }
-static inline cairn_motion cairn_motion_factor_halved(cairn_motion a, cairn_factor f) { return cairn_mul16(a, f >> 7, 13); }
 static inline cairn_motion cairn_motion_scale(cairn_motion x, cairn_wide k) { return cairn_wide_scale(x, k, 0); }
 
 /* A coefficient in [0, 1) of which 15 bits count, however small it is. */
@@ -457,12 +494,25 @@ typedef struct cairn_gain {
     uint16_t mantissa, shift;
 } cairn_gain;
 cairn_gain cairn_gain_from_wide(cairn_wide k);
-/* x times the gain, |x| < 4 m; within 1.1 units and 2^-14 of it. */
-static inline bool cairn_offset_is_short(cairn_offset x) { return cairn_real_is_within(x, CAIRN_OFFSET(4) - 1); }
-static inline cairn_motion cairn_motion_gain(cairn_offset x, cairn_gain k)
+cairn_gain cairn_gain_from_share(cairn_share s);
+/* Half a coefficient times one of 1 to 2. */
+static inline cairn_gain cairn_gain_times_half(cairn_gain k, cairn_factor f)
 {
-    return ((cairn_mul16((int32_t)((uint32_t)x << 6), k.mantissa, 14) >> k.shift) + 1) >> 1;
+    uint32_t product = k.mantissa * ((uint32_t)f >> 6); /* below 2^30 */
+    uint32_t doubled = product >> 29 == 0 && k.shift < 30;
+    k.mantissa = (uint16_t)(product >> (15 - doubled));
+    k.shift = (uint16_t)(k.shift + doubled);
+    return k;
 }
+static inline cairn_gain cairn_gain_zero(void)
+{
+    cairn_gain k;
+    k.mantissa = k.shift = 0;
+    return k;
+}
+static inline bool cairn_gain_is_zero(cairn_gain k) { return k.mantissa == 0; }
+/* x times the gain, |x| < 4 m; within 1.1 units and 2^-14 of it. */
+static inline cairn_motion cairn_motion_gain(cairn_motion x, cairn_gain k) { return ((cairn_mul16(x, k.mantissa, 14) >> k.shift) + 1) >> 1; }
 /* A 64th of a length. */
 static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x; }
 
@@ -563,9 +613,8 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
     return (cairn_mul16(cairn_mul16(s, j, 16), k, 16) + 8) >> 4; /* Q30 -> Q27 -> Q24 -> Q20 */
 }
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return (int32_t)x << 6; }
-/* Rounded to 14 and to 13 bits below the point. */
-static inline cairn_factor cairn_factor_shortened(cairn_factor f) { return (cairn_factor)((uint32_t)(f + 32) & ~63u); }
-static inline cairn_factor cairn_factor_halved(cairn_factor f) { return (cairn_factor)((uint32_t)(f + 64) & ~127u); }
+/* Of one below 2 in size. */
+static inline cairn_ratio cairn_ratio_from_factor(cairn_factor f) { return (cairn_ratio)((f + 32) >> 6); }
 /* 1 / f, f > 0, to all bits; saturates */
 static inline cairn_factor cairn_factor_reciprocal(cairn_factor f)
 {

@@ -29,18 +29,24 @@ typedef struct cairn_spring_def {
 
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
-    /* what every sub-step uses comes first: it is cheaper to reach */
+    /* what the sub-steps of the quick way use comes first: it is cheaper to reach, see spring_quick.c */
     uint16_t a, b; /* body indices, in the order of its path: see CAIRN_SPRING_TURNED */
     uint16_t next, previous; /* on its path; of a path's first, previous is the first of the next path */
-    uint16_t flags, generation;
-    cairn_gain pull;                    /* position_gain, short */
+    cairn_frame frame;                  /* otherwise x and y alone: in which it lies at the end of the sub-step */
+    uint8_t lag;                        /* how far behind that it pushes */
     cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
-    cairn_bearing heading;              /* in which it lies at the end of the sub-step */
+    cairn_gain pull, drag;              /* what an elongation and a speed make of half an impulse; pull is 0: not to be used */
+    cairn_swing swing, swung;           /* from the frame to where it lies at the end of this sub-step, and of the one before */
+    cairn_ratio take, give;             /* of half the impulse of the spring before, and of the one behind */
+    cairn_motion origin_x, origin_y;    /* where the step began, from where the frame was made */
+    cairn_motion elongation;            /* where the frame was made */
     cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
+    cairn_share share_a, share_b;
+    cairn_real frame_x, frame_y;        /* from a to b where the frame was made */
+    uint16_t flags, generation;
     cairn_offset rest_length;
     /* the map of a sub-step, see spring_map.c */
     cairn_share velocity_gain;
-    cairn_share share_a, share_b;
     /* the factors of its path */
     cairn_factor before, behind, inverse_pivot;
     cairn_turn turned; /* of a path's first: by how much its springs have turned since these were made, at most */

@@ -1105,69 +1105,76 @@ void test_every_core_gives_the_same_bits(void)
     TEST_ASSERT_EQUAL_HEX32(0x5F5D824Fu, hash);
 }
 
-/* ---- bearings and gains: the springs' ---- */
+/* ---- frames and gains: the springs' ---- */
 
-/* A vector that turns and stretches by up to a part in 2^part each time: its bearing is never far off, wherever it has been before. */
-static void expect_followed(int part)
-{
-    int32_t x = CAIRN_OFFSET(1), y = 0;
-    cairn_bearing bearing = { 0, 0, 0, 0 };
-    for (int32_t i = 0; i < ROUNDS / 10; i++) {
-        cairn_unit ux, uy;
-        cairn_offset length = cairn_bearing_take(&bearing, x, y), exact = cairn_unit_along(x, y, &ux, &uy);
-        expect_within(2 << 16, ux, cairn_unit_from_dir(bearing.x), x, y);
-        expect_within(2 << 16, uy, cairn_unit_from_dir(bearing.y), x, y);
-        expect_within(3 + (exact >> (part + 12)) + (exact >> 24), exact, length, x, y);
-        int32_t most = (exact >> part) + 2;
-        x += any() % most;
-        y += any() % most;
-        if (size64(x) > (uint64_t)CAIRN_OFFSET(300) || size64(y) > (uint64_t)CAIRN_OFFSET(300)) {
-            x = any() >> (i & 31);
-            y = any() >> (i & 31);
-        }
-    }
-}
-
-void test_bearing_follows_a_vector(void)
-{
-    expect_followed(8);
-    expect_followed(6);
-    expect_followed(1); /* which is mostly too fast to follow */
-}
-
-void test_bearing_is_exact_along_the_axes(void)
-{
-    cairn_bearing bearing = { 0, 0, 0, 0 };
-    for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(3), cairn_bearing_take(&bearing, 0, -CAIRN_OFFSET(3)));
-        TEST_ASSERT_EQUAL_INT(0, bearing.x);
-        TEST_ASSERT_EQUAL_INT(-16384, bearing.y);
-    }
-    TEST_ASSERT_EQUAL_INT32(0, cairn_bearing_take(&bearing, 0, 0));
-    TEST_ASSERT_EQUAL_INT(16384, bearing.x);
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_bearing_take(&bearing, CAIRN_OFFSET(500), CAIRN_OFFSET(500)));
-    TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(3), cairn_bearing_take(&bearing, CAIRN_OFFSET(3), 0));
-}
-
-/* Whatever was remembered. */
-void test_bearing_trusts_no_memory(void)
+/* What a frame says of a vector that has changed by so little that it holds is what the vector itself says. */
+void test_frame_tells_length_and_direction_of_a_vector_that_changed_by_little(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
-        cairn_bearing bearing;
+        cairn_frame frame;
         cairn_unit ux, uy;
-        int32_t x = any() >> 1, y = any() >> 1;
-        bearing.x = bearing.y = 0;
-        bearing.inverse = (uint16_t)(32768 + (any() & 32767));
-        bearing.shift = (uint16_t)((uint32_t)any() % 15);
-        cairn_offset length = cairn_bearing_take(&bearing, x, y), exact = cairn_unit_along(x, y, &ux, &uy);
-        expect_within(3 << 16, ux, cairn_unit_from_dir(bearing.x), x, y);
-        expect_within(3 << 16, uy, cairn_unit_from_dir(bearing.y), x, y);
-        expect_within(3 + (exact >> 18), exact, length, x, y);
+        cairn_swing swing;
+        int32_t x = any() >> (5 + (i & 15)), y = any() >> (5 + (i & 15));
+        cairn_offset length = cairn_unit_along(x, y, &ux, &uy);
+        if (!cairn_frame_set(&frame, ux, uy, length)) {
+            TEST_ASSERT_TRUE(length < CAIRN_OFFSET(0.00390625) || length >= CAIRN_OFFSET(16));
+            continue;
+        }
+        int32_t most = 32768 << frame.shift, dx = any() % (2 * most), dy = any() % (2 * most);
+        TEST_ASSERT_EQUAL_INT(dx < most && dx >= -most && dy < most && dy >= -most, cairn_frame_holds(&frame, dx, dy));
+        dx /= 2;
+        dy /= 2;
+        dx &= ~63; /* to the last bit of an offset, so that the moved vector is exact */
+        dy &= ~63;
+        cairn_offset moved = cairn_unit_along(x + dx / 64, y + dy / 64, &ux, &uy);
+        cairn_motion stretch = cairn_frame_stretch(&frame, dx, dy, &swing);
+        expect_within(128 + (length >> 10) + (length >> 13), /* s t^2 / 2 L^2, each up to L / 32 */
+                       (int64_t)(moved - length) * 64, stretch, x, y);
+        expect_within((1 << 16) * 30, ux, cairn_unit_from_dir(cairn_frame_x(&frame, swing)), x, y);
+        expect_within((1 << 16) * 30, uy, cairn_unit_from_dir(cairn_frame_y(&frame, swing)), x, y);
+        cairn_swing back = cairn_frame_swing(&frame, cairn_frame_x(&frame, swing), cairn_frame_y(&frame, swing));
+        expect_within(64, swing, back, x, y);
     }
+}
+
+void test_frame_is_for_lengths_of_4_mm_to_16_m(void)
+{
+    cairn_frame frame;
+    TEST_ASSERT_FALSE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, 0));
+    TEST_ASSERT_FALSE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(0.0039)));
+    TEST_ASSERT_TRUE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(0.00390625)));
+    TEST_ASSERT_EQUAL_INT(32768, frame.inverse);
+    TEST_ASSERT_TRUE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(16) - 1));
+    TEST_ASSERT_EQUAL_INT(16384, frame.inverse);
+    TEST_ASSERT_FALSE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(16)));
+    TEST_ASSERT_FALSE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, INT32_MAX));
+}
+
+/* Half of the reach that it has for motions. */
+void test_frame_holds_well_for_half_as_much(void)
+{
+    cairn_frame frame;
+    TEST_ASSERT_TRUE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(1)));
+    TEST_ASSERT_TRUE(cairn_frame_holds(&frame, CAIRN_MOTION(1.0 / 32) - 1, -CAIRN_MOTION(1.0 / 32)));
+    TEST_ASSERT_FALSE(cairn_frame_holds(&frame, CAIRN_MOTION(1.0 / 32), 0));
+    TEST_ASSERT_FALSE(cairn_frame_holds(&frame, 0, -CAIRN_MOTION(1.0 / 32) - 1));
+    TEST_ASSERT_TRUE(cairn_frame_holds_well(&frame, CAIRN_F(1.0 / 64) - 1, -CAIRN_F(1.0 / 64)));
+    TEST_ASSERT_FALSE(cairn_frame_holds_well(&frame, CAIRN_F(1.0 / 64), 0));
+    TEST_ASSERT_FALSE(cairn_frame_holds_well(&frame, 0, INT32_MIN));
+    TEST_ASSERT_FALSE(cairn_frame_holds_well(&frame, CAIRN_F(16), 0));
+}
+
+void test_swing_follows_by_a_quarter_or_at_once(void)
+{
+    TEST_ASSERT_EQUAL_INT(100, cairn_swing_towards(-20, 100, CAIRN_LAG_NONE));
+    TEST_ASSERT_EQUAL_INT(10, cairn_swing_towards(-20, 100, CAIRN_LAG_QUARTER));
+    TEST_ASSERT_EQUAL_INT(-40, cairn_swing_towards(-40, -40, CAIRN_LAG_QUARTER));
 }
 
 void test_turn_is_the_greater_change(void)
 {
+    TEST_ASSERT_EQUAL_INT32(CAIRN_UNIT(1), cairn_dir_cosine(16384, 0, 16384, 0));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_UNIT(-0.5), cairn_dir_cosine(0, -8192, 0, 16384));
     TEST_ASSERT_EQUAL_INT32(0, cairn_dir_turn(5, -7, 5, -7));
     TEST_ASSERT_INT32_WITHIN(1, 300, cairn_dir_turn(100, 0, -200, 200));
     TEST_ASSERT_INT32_WITHIN(1, 32768, cairn_dir_turn(-16384, 0, 16384, 0));
@@ -1178,26 +1185,43 @@ void test_turn_is_the_greater_change(void)
 void test_gain_keeps_fifteen_bits_of_any_coefficient(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
-        int32_t x = any() % CAIRN_OFFSET(4);
+        int32_t x = any() % CAIRN_MOTION(4);
         cairn_wide k = cairn_wide_of(some(), 0);
         k.exponent = -32 - (int32_t)(arith_random_bits(&random) >> 28);
-        int32_t exact = cairn_motion_from_offset_wide(x, k);
+        int32_t exact = cairn_motion_scale(x, k);
         expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_wide(k)), x, (int32_t)k.mantissa);
     }
-    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_from_int(0))));
-    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_of(1, -70))));
-    TEST_ASSERT_INT32_WITHIN(CAIRN_MOTION(0.001), CAIRN_MOTION(3), cairn_motion_gain(CAIRN_OFFSET(3), cairn_gain_from_wide(cairn_wide_from_int(1))));
-    TEST_ASSERT_TRUE(cairn_offset_is_short(CAIRN_OFFSET(4) - 1));
-    TEST_ASSERT_FALSE(cairn_offset_is_short(CAIRN_OFFSET(-4)));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_from_int(0))));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_of(1, -70))));
+    TEST_ASSERT_INT32_WITHIN(CAIRN_MOTION(0.001), CAIRN_MOTION(3), cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_from_int(1))));
+    TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_from_wide(cairn_wide_from_int(0))));
+    TEST_ASSERT_FALSE(cairn_gain_is_zero(cairn_gain_from_wide(cairn_wide_of(1, -20))));
 }
 
-/* The same coordinate ahead, and as an offset between two of them. */
-void test_coordinates_ahead_differ_by_their_offset(void)
+void test_gain_of_a_share_keeps_fifteen_bits_and_halves_with_a_factor(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
-        int32_t from = any() >> 2, apart = any() >> 8, by = any() >> 1, on = any() >> 1;
+        int32_t x = any() % CAIRN_MOTION(4), f = CAIRN_FACTOR(1) + (int32_t)((uint32_t)any() % CAIRN_FACTOR(1));
+        cairn_share s = (int32_t)((uint32_t)any() % CAIRN_SHARE(1)) >> (i & 31);
+        cairn_motion exact = cairn_motion_share(x, s);
+        expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_share(s)), x, s);
+        exact = cairn_motion_factor(exact, f / 2);
+        expect_within(2 + (int64_t)(size64(exact) >> 12), exact, cairn_motion_gain(x, cairn_gain_times_half(cairn_gain_from_share(s), f)), x, s);
+    }
+    TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_from_share(0)));
+    TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_zero()));
+    TEST_ASSERT_EQUAL_INT(32767, cairn_gain_from_share(CAIRN_SHARE(1)).mantissa);
+}
+
+/* Where bodies will be, as the way between them from where a frame was made, wherever in the world. */
+void test_motions_between_coordinates_add_up(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t from = any() >> 2, to = from + (any() >> 16), from_by = any() >> 1, to_by = any() >> 1;
         cairn_residue low = (cairn_residue)(any() & 4095), high = (cairn_residue)(any() & 4095);
-        cairn_offset got = cairn_offset_between(cairn_coordinate_ahead(from, low, by), cairn_coordinate_ahead(from + apart, high, on));
-        expect_within(1, ((int64_t)apart * 4096 + high - low + on - by) >> 6, got, from, apart);
+        cairn_real made = to - from + cairn_real_below_motion(to_by) - cairn_real_below_motion(from_by);
+        cairn_motion origin = cairn_motion_between(to - from - made, low, high);
+        cairn_motion rest = cairn_motion_apart(from_by, to_by, origin); /* what the frame's own coordinates cannot say */
+        expect_within(0, (to_by & 4095) - (from_by & 4095) + high - low, rest, from, to);
     }
 }

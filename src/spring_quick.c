@@ -1,0 +1,264 @@
+/*
+ * Paths whose springs go from centre to centre, the quick way. Each spring has a frame, its direction and length where they were last
+ * computed; as long as its bodies have moved by little since, a 64th of its length at most, its elongation and its direction follow from
+ * what they moved by, with no root and no division. When one spring has left its frame all of the path get new ones, and the path
+ * new factors.
+ *
+ * The solution is that of spring_path.c, with what depends on directions only multiplied beforehand: half the impulse of a
+ * spring is -(pull C* + drag u + take (that of the one before)), less give (that of the one behind). It is one half because that is what
+ * each of two bodies of one mass gets, and because a gain is then below 1.
+ */
+#include "spring_solve.h"
+
+/* Springs that are stretched by more are solved with care, m: what a gain is multiplied by stays below 4. */
+#define STRETCH_MAX CAIRN_MOTION(3)
+/* Half of an impulse for which the gains serve: every sum of products is then below 8. */
+#define HALF_MAX CAIRN_MOTION(1)
+/* A body slower than this is shifted without a look at the limits. */
+#define SLOW CAIRN_MOTION(0.5)
+
+/* ---- frames ---- */
+
+void cairn_path_look(cairn_world *world, uint16_t head)
+{
+    cairn_spring *springs = world->springs->springs;
+    bool simple = true;
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        simple = simple && (springs[i].flags & (CAIRN_SPRING_PLAIN | CAIRN_SPRING_EXACT)) == CAIRN_SPRING_PLAIN;
+    }
+    springs[head].flags = (uint16_t)((springs[head].flags & ~(unsigned)CAIRN_SPRING_SIMPLE) | cairn_flag_if(simple, CAIRN_SPRING_SIMPLE));
+}
+
+typedef struct place {
+    cairn_motion x, y;
+} place;
+
+/* How far a body will have moved in this step at the end of the sub-step, with its velocity as it is; below 7.8 m, see world.c. */
+static inline place way_of(const cairn_body *body)
+{
+    place p;
+    p.x = body->dx + body->vx;
+    p.y = body->dy + body->vy;
+    return p;
+}
+
+/* Where it lay at the end of the sub-step before: its direction, without a frame. */
+static void leave_frame(cairn_spring *spring)
+{
+    cairn_dir x = cairn_frame_x(&spring->frame, spring->swing), y = cairn_frame_y(&spring->frame, spring->swing);
+    spring->frame.x = x;
+    spring->frame.y = y;
+    spring->swing = 0;
+}
+
+/* A frame where the spring will be at the end of the sub-step. False if it is too long, too short or stretched too far. */
+static bool make_frame(const cairn_world *world, cairn_spring *spring)
+{
+    const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    place from = way_of(a), to = way_of(b);
+    cairn_unit x, y;
+    leave_frame(spring);
+    cairn_dir from_x = spring->frame.x, from_y = spring->frame.y;
+    spring->frame_x = b->x - a->x + cairn_real_below_motion(to.x) - cairn_real_below_motion(from.x);
+    spring->frame_y = b->y - a->y + cairn_real_below_motion(to.y) - cairn_real_below_motion(from.y);
+    if (!cairn_real_is_within(spring->frame_x, CAIRN_F(16)) || !cairn_real_is_within(spring->frame_y, CAIRN_F(16))) {
+        return false;
+    }
+    cairn_offset length = cairn_unit_along(cairn_offset_from_real(spring->frame_x), cairn_offset_from_real(spring->frame_y), &x, &y);
+    cairn_frame frame;
+    if (!cairn_frame_set(&frame, x, y, length)) {
+        return false;
+    }
+    spring->frame = frame;
+    spring->elongation = cairn_motion_from_offset(length - spring->rest_length);
+    spring->direction_x = frame.x;
+    spring->direction_y = frame.y;
+    if (cairn_dir_turn(from_x, from_y, frame.x, frame.y) < CAIRN_SPRING_FAST) {
+        spring->swing = cairn_frame_swing(&frame, from_x, from_y);
+    }
+    return cairn_motion_clamp(spring->elongation, STRETCH_MAX) == spring->elongation;
+}
+
+/* Where the step began, as seen from where the frame was made; false if that is too far. */
+static inline bool follow(cairn_spring *spring, const cairn_body *a, const cairn_body *b)
+{
+    cairn_real x = b->x - a->x - spring->frame_x, y = b->y - a->y - spring->frame_y;
+    spring->origin_x = cairn_motion_between(x, a->x_residue, b->x_residue);
+    spring->origin_y = cairn_motion_between(y, a->y_residue, b->y_residue);
+    return cairn_frame_holds_well(&spring->frame, x, y);
+}
+
+/* The gains are below 1 where the inverse pivot is below 2; else the spring is solved with care. */
+static bool make_gains(cairn_spring *spring)
+{
+    cairn_factor take = cairn_factor_mul(spring->before, spring->inverse_pivot);
+    bool mild = spring->inverse_pivot <= CAIRN_FACTOR(2) && take <= CAIRN_FACTOR(1) && -take <= CAIRN_FACTOR(1);
+    spring->pull = spring->drag = cairn_gain_zero();
+    if (mild) {
+        spring->pull = cairn_gain_times_half(cairn_gain_from_wide(spring->position_gain), spring->inverse_pivot);
+        spring->drag = cairn_gain_times_half(cairn_gain_from_share(spring->velocity_gain), spring->inverse_pivot);
+    }
+    spring->take = cairn_ratio_from_factor(mild ? take : 0);
+    bool fits = spring->behind <= CAIRN_FACTOR(1.99) && -spring->behind <= CAIRN_FACTOR(1.99);
+    spring->give = cairn_ratio_from_factor(fits ? spring->behind : 0);
+    return fits;
+}
+
+/* New frames for all of a path; false if it has to be solved with care. */
+static bool renew(cairn_world *world, uint16_t head)
+{
+    cairn_spring *springs = world->springs->springs;
+    bool framed = true;
+    for (uint16_t i = head; i != CAIRN_NONE && framed; i = springs[i].next) {
+        framed = make_frame(world, &springs[i]);
+    }
+    if (framed) {
+        cairn_path_factorise(world, head);
+    }
+    for (uint16_t i = head; i != CAIRN_NONE && framed; i = springs[i].next) {
+        framed = make_gains(&springs[i]);
+        follow(&springs[i], &world->bodies[springs[i].a], &world->bodies[springs[i].b]);
+    }
+    for (uint16_t i = head; i != CAIRN_NONE && !framed; i = springs[i].next) {
+        leave_frame(&springs[i]);
+    }
+    springs[head].flags = (uint16_t)((springs[head].flags & ~(unsigned)CAIRN_SPRING_FRAMED) | cairn_flag_if(framed, CAIRN_SPRING_FRAMED));
+    return framed;
+}
+
+bool cairn_path_follow(cairn_world *world, uint16_t head)
+{
+    cairn_spring *springs = world->springs->springs;
+    bool holds = (springs[head].flags & CAIRN_SPRING_FRAMED) != 0;
+    if (!(springs[head].flags & CAIRN_SPRING_SIMPLE)) {
+        return false;
+    }
+    const cairn_body *a = &world->bodies[springs[head].a];
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        cairn_spring *spring = &springs[i];
+        const cairn_body *b = &world->bodies[spring->b];
+        holds = follow(spring, a, b) && holds;
+        spring->lag = cairn_spring_is_taut(spring, spring->rest_length + cairn_offset_from_motion(spring->elongation)) ? CAIRN_LAG_NONE : CAIRN_LAG_QUARTER;
+        a = b;
+    }
+    return holds || renew(world, head);
+}
+
+/* ---- the sub-step ---- */
+
+/* Half of the impulse, whatever the gains and the springs are. */
+static cairn_motion half_with_care(const cairn_world *world, const cairn_spring *spring, cairn_motion elongation, cairn_motion half, bool again)
+{
+    cairn_motion u = cairn_spring_speed(spring, &world->bodies[spring->a], &world->bodies[spring->b]);
+    cairn_motion demand = cairn_motion_clamp(cairn_motion_scale(elongation, spring->position_gain), CAIRN_SPRING_DEMAND);
+    demand = cairn_motion_clamp(demand + cairn_motion_share(u, spring->velocity_gain), CAIRN_SPRING_DEMAND);
+    if (again) {
+        demand = cairn_spring_ask_more(spring, demand);
+    }
+    return cairn_motion_half(cairn_spring_answer(spring, demand, 2 * half));
+}
+
+/*
+ * Down the path: where each spring will be, which way it pushes, and its impulse without what is behind it. The path's last spring, or
+ * CAIRN_NONE if a spring has left its frame: *outside.
+ */
+static uint16_t descend(cairn_world *world, uint16_t head, bool again, uint16_t *outside)
+{
+    cairn_spring *springs = world->springs->springs;
+    const cairn_body *a = &world->bodies[springs[head].a];
+    place from = way_of(a);
+    cairn_motion half = 0;
+    uint16_t last = head;
+    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+        cairn_spring *spring = &springs[i];
+        const cairn_body *b = &world->bodies[spring->b];
+        place to = way_of(b);
+        cairn_motion x = cairn_motion_apart(from.x, to.x, spring->origin_x), y = cairn_motion_apart(from.y, to.y, spring->origin_y);
+        if (!cairn_frame_holds(&spring->frame, x, y)) {
+            *outside = i;
+            return CAIRN_NONE;
+        }
+        cairn_swing swing, was = spring->swing;
+        cairn_motion elongation = spring->elongation + cairn_frame_stretch(&spring->frame, x, y, &swing), before = half;
+        spring->swung = was;
+        spring->swing = swing;
+        swing = cairn_swing_towards(was, swing, spring->lag);
+        cairn_dir push_x = cairn_frame_x(&spring->frame, swing), push_y = cairn_frame_y(&spring->frame, swing);
+        spring->direction_x = push_x;
+        spring->direction_y = push_y;
+        half = -cairn_motion_gain(elongation, spring->pull) - cairn_motion_ratio(half, spring->take);
+        if (!cairn_gain_is_zero(spring->drag)) {
+            half -= cairn_motion_gain(cairn_motion_along(b->vx - a->vx, b->vy - a->vy, push_x, push_y), spring->drag);
+        }
+        if (again || cairn_gain_is_zero(spring->pull) || !cairn_bulk_is_within(cairn_bulk_of(half, HALF_MAX), HALF_MAX)) {
+            half = half_with_care(world, spring, elongation, before, again);
+        }
+        spring->impulse = half;
+        last = i;
+        a = b;
+        from = to;
+    }
+    return last;
+}
+
+static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
+{
+    cairn_motion vx = body->vx + x, vy = body->vy + y;
+    if (cairn_bulk_is_within(cairn_bulk_of(vx, SLOW) | cairn_bulk_of(vy, SLOW), SLOW)) {
+        body->vx = vx;
+        body->vy = vy;
+        body->ux += x;
+        body->uy += y;
+    } else {
+        cairn_spring_shift(body, x, y);
+    }
+}
+
+/* Back up the path: what is behind a spring counts too. Each body gets the pushes of both of its springs at once. */
+static void ascend(cairn_world *world, uint16_t head, uint16_t last)
+{
+    cairn_spring *springs = world->springs->springs;
+    cairn_motion half = 0;
+    place behind;
+    behind.x = behind.y = 0;
+    for (uint16_t i = last;; i = springs[i].previous) {
+        cairn_spring *spring = &springs[i];
+        half = cairn_motion_clamp(spring->impulse - cairn_motion_ratio(half, spring->give), CAIRN_SPRING_IMPULSE / 2);
+        spring->sum = 2 * half;
+        place push;
+        push.x = cairn_motion_dir(half, spring->direction_x);
+        push.y = cairn_motion_dir(half, spring->direction_y);
+        if (spring->share_b == CAIRN_SHARE(0.5)) {
+            shift(&world->bodies[spring->b], push.x - behind.x, push.y - behind.y);
+            behind = push;
+        } else {
+            shift(&world->bodies[spring->b], cairn_motion_share(2 * push.x, spring->share_b) - behind.x,
+                  cairn_motion_share(2 * push.y, spring->share_b) - behind.y);
+            behind.x = cairn_motion_share(2 * push.x, spring->share_a);
+            behind.y = cairn_motion_share(2 * push.y, spring->share_a);
+        }
+        if (i == head) {
+            break;
+        }
+    }
+    shift(&world->bodies[springs[head].a], -behind.x, -behind.y);
+}
+
+void cairn_path_solve_quickly(cairn_world *world, uint16_t head, bool again)
+{
+    cairn_spring *springs = world->springs->springs;
+    uint16_t outside, last = descend(world, head, again, &outside);
+    if (last == CAIRN_NONE) {
+        for (uint16_t i = head; i != outside; i = springs[i].next) {
+            springs[i].swing = springs[i].swung;
+        }
+        if (renew(world, head)) {
+            last = descend(world, head, again, &outside);
+        }
+    }
+    if (last == CAIRN_NONE) {
+        cairn_path_solve(world, head, again);
+    } else {
+        ascend(world, head, last);
+    }
+}
