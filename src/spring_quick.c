@@ -190,7 +190,7 @@ static uint16_t descend(cairn_world *world, uint16_t head, bool again, uint16_t 
         if (!cairn_gain_is_zero(spring->drag)) {
             half -= cairn_motion_gain(cairn_motion_along(b->vx - a->vx, b->vy - a->vy, push_x, push_y), spring->drag);
         }
-        if (again || cairn_gain_is_zero(spring->pull) || !cairn_bulk_is_within(cairn_bulk_of(half, HALF_MAX), HALF_MAX)) {
+        if (again || cairn_gain_is_zero(spring->pull) || !cairn_size_is_below(cairn_size_of(half), HALF_MAX)) {
             half = half_with_care(world, spring, elongation, before, again);
         }
         spring->impulse = half;
@@ -204,7 +204,7 @@ static uint16_t descend(cairn_world *world, uint16_t head, bool again, uint16_t 
 static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
 {
     cairn_motion vx = body->vx + x, vy = body->vy + y;
-    if (cairn_bulk_is_within(cairn_bulk_of(vx, SLOW) | cairn_bulk_of(vy, SLOW), SLOW)) {
+    if (cairn_size_is_below(cairn_size_with(cairn_size_of(vx), vy), SLOW)) {
         body->vx = vx;
         body->vy = vy;
         body->ux += x;

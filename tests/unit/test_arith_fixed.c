@@ -1201,8 +1201,8 @@ void test_gain_keeps_fifteen_bits_of_any_coefficient(void)
 void test_gain_of_a_share_keeps_fifteen_bits_and_halves_with_a_factor(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
-        int32_t x = any() % CAIRN_MOTION(4), f = CAIRN_FACTOR(1) + (int32_t)((uint32_t)any() % CAIRN_FACTOR(1));
-        cairn_share s = (int32_t)((uint32_t)any() % CAIRN_SHARE(1)) >> (i & 31);
+        int32_t x = any() % CAIRN_MOTION(4), f = CAIRN_FACTOR(1) + (int32_t)((uint32_t)any() % (uint32_t)CAIRN_FACTOR(1));
+        cairn_share s = (int32_t)((uint32_t)any() % (uint32_t)CAIRN_SHARE(1)) >> (i & 31);
         cairn_motion exact = cairn_motion_share(x, s);
         expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_share(s)), x, s);
         exact = cairn_motion_factor(exact, f / 2);
