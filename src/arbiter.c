@@ -208,7 +208,7 @@ static void look(const cairn_world *world, const cairn_body *a, const cairn_body
         world->continuous->meet(world, a, b, manifold);
         return;
     }
-    cairn_offset margin = 2 * CAIRN_REACH + cairn_body_way(a) + cairn_body_way(b);
+    cairn_offset margin = 2 * CAIRN_REACH + cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b));
     manifold->separation = margin; /* where the narrow phase finds them farther apart it says nothing */
     cairn_bodies_collide(a, b, margin, manifold);
     if (world->continuous == NULL) {

@@ -171,7 +171,7 @@ void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *
     }
 }
 
-static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cairn_angle angle)
+static void place(cairn_body *body, cairn_vec2 position, cairn_angle angle)
 {
     cairn_offset cx, cy;
     body->angle = angle;
@@ -183,7 +183,7 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->y = position.y;
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
-    cairn_body_refresh_extents(world, body);
+    cairn_body_refresh_extents(body);
 }
 
 /* After a change of where a body is or of whom it meets. */
@@ -232,7 +232,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
     }
     body->flags = CAIRN_BODY_USED;
     take_model(world, body, model, &mass);
-    place(world, body, position, angle);
+    place(body, position, angle);
     disturb(world, body);
     return cairn_body_id_of(world, body);
 }
@@ -288,7 +288,7 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
     }
     cairn_arbiters_remove_body(world, (uint16_t)(id.index - 1));
     cairn_body_wake_up(world, body);
-    place(world, body, position, angle);
+    place(body, position, angle);
     disturb(world, body);
     return CAIRN_OK;
 }

@@ -521,10 +521,6 @@ static void hasten(cairn_world *world, cairn_body *body)
     if (world->continuous == NULL || !cairn_body_is_dynamic(body) || !cairn_body_is_fast(world, body)) {
         return;
     }
-    cairn_extent x = body->extent_x, y = body->extent_y;
-    cairn_body_refresh_extents(world, body);
-    body->extent_x = body->extent_x > x ? body->extent_x : x;
-    body->extent_y = body->extent_y > y ? body->extent_y : y;
     body->flags |= CAIRN_BODY_FAST;
     world->fast++;
 }

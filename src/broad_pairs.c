@@ -5,7 +5,7 @@
  */
 #include "engine.h"
 
-static cairn_real left_of(const cairn_body *body) { return body->x - cairn_real_from_extent(body->extent_x); }
+static inline cairn_real left_of(const cairn_body *body) { return body->x - cairn_real_from_extent(body->extent_x); }
 
 /* Ties by place in the pool, so that the order does not depend on how bodies came there. */
 static bool comes_before(cairn_real left, uint16_t i, cairn_real other_left, uint16_t other)

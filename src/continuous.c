@@ -369,14 +369,34 @@ static void cut_short(cairn_body *fast, cairn_body *other, cairn_unit time)
     }
 }
 
-static bool clip_body(cairn_world *world, uint16_t index)
+/* How far any of a body's surface has come in this step along either axis. */
+static cairn_real swept(const cairn_body *body)
 {
-    cairn_body *fast = &world->bodies[index], *nearest = NULL;
+    cairn_motion x = magnitude(body->dx), y = magnitude(body->dy);
+    return cairn_real_above_motion(x > y ? x : y) + (cairn_body_is_round(body) ? 0 : 3 * cairn_real_above_motion(magnitude(body->dw)));
+}
+
+static cairn_real swept_most(const cairn_world *world)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    cairn_real most = 0;
+    for (const cairn_body *body = world->bodies; body != end; body++) {
+        cairn_real by = cairn_body_is_active(body) ? swept(body) : 0;
+        most = by > most ? by : most;
+    }
+    return most;
+}
+
+/* most: how far any other body has come. */
+static bool clip_body(cairn_world *world, cairn_body *fast, cairn_real most)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    cairn_body *nearest = NULL;
     cairn_unit time = CAIRN_UNIT(1);
-    for (uint16_t i = 0; i < world->body_end; i++) {
-        cairn_body *other = &world->bodies[i];
-        if (i != index && (other->flags & CAIRN_BODY_USED) && !other->model->sensor && cairn_boxes_overlap(fast, other)
-            && cairn_bodies_may_meet(world, index, i)) {
+    cairn_real way = swept(fast) + most;
+    for (cairn_body *other = world->bodies; other != end; other++) {
+        if (cairn_boxes_are_near(fast, other, way) && other != fast && (other->flags & CAIRN_BODY_USED) && !other->model->sensor
+            && cairn_bodies_may_meet(world, (uint16_t)(fast - world->bodies), (uint16_t)(other - world->bodies))) {
             cairn_unit until = core_time(fast, other);
             if (until < time) {
                 time = until;
@@ -399,14 +419,14 @@ static bool clip_body(cairn_world *world, uint16_t index)
 
 static void clip(cairn_world *world)
 {
+    const cairn_body *end = world->bodies + world->body_end;
+    cairn_real most = swept_most(world);
     bool again = true;
     for (int sweep = 0; sweep < SWEEPS && again; sweep++) {
         again = false;
-        for (uint16_t i = 0; i < world->body_end; i++) {
-            unsigned flags = world->bodies[i].flags;
-            if ((flags & CAIRN_BODY_FAST) && !world->bodies[i].model->sensor && cairn_body_is_dynamic(&world->bodies[i])
-                && cairn_body_is_active(&world->bodies[i])) {
-                again = clip_body(world, i) || again;
+        for (cairn_body *body = world->bodies; body != end; body++) {
+            if ((body->flags & CAIRN_BODY_FAST) && !body->model->sensor && cairn_body_is_dynamic(body) && cairn_body_is_active(body)) {
+                again = clip_body(world, body, most) || again;
             }
         }
     }

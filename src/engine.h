@@ -25,7 +25,7 @@
 enum {
     CAIRN_BODY_TYPE = 3,
     CAIRN_BODY_USED = 1 << 2,
-    CAIRN_BODY_WIDE = 1 << 3,     /* its bounding box has the way of a step in it */
+    CAIRN_BODY_WIDE = 1 << 3,     /* its bounding box covers the angles of a wide sector, see motion.c */
     CAIRN_BODY_FACING = 1 << 4,   /* dx and dy are the cosine and sine of its angle */
     CAIRN_BODY_FIXED_POSITION = 1 << 5,
     CAIRN_BODY_ASLEEP = 1 << 6,
@@ -34,9 +34,10 @@ enum {
     CAIRN_BODY_SPRING = 1 << 10,  /* an end of a spring */
     CAIRN_BODY_SPRINGS = 1 << 11, /* of more than one */
     CAIRN_BODY_RESTLESS = 1 << 12, /* is in a block of which something moves; in sleep.c, heads a group that may not fall asleep yet */
-    CAIRN_BODY_STEADY = 1 << 13,  /* rests on two points of one contact */
-    CAIRN_BODY_MET = CAIRN_BODY_STEADY, /* during the sub-steps: takes part in them */
-    CAIRN_BODY_SLIPPING = 1 << 14, /* a contact of it is at its friction limit */
+    CAIRN_BODY_MET = 1 << 13,     /* during the sub-steps: has a contact */
+    CAIRN_BODY_UNSTEADY = CAIRN_BODY_MET, /* after them: rests on two points of no contact */
+    CAIRN_BODY_GOES = 1 << 14,    /* during the sub-steps: takes part in them; the others coast */
+    CAIRN_BODY_GRIPS = CAIRN_BODY_GOES, /* after them: no contact of it is at its friction limit */
     CAIRN_BODY_FAST = 1 << 15,    /* moves by more than a quarter of its size in this step */
     CAIRN_BODY_PLAIN = 1 << 9     /* gravity in full and no damping: the quick path */
 };
@@ -130,7 +131,7 @@ static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cair
 }
 static inline cairn_motion cairn_body_held_x(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dx; }
 static inline cairn_motion cairn_body_held_y(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dy; }
-static inline cairn_offset cairn_body_way(const cairn_body *body) { return body->dw; }
+static inline cairn_real cairn_body_way(const cairn_body *body) { return (cairn_real)body->dw; }
 
 /* While nothing moves, dw may hold the place of another body: of the next free one, or for a stage of the step that leaves it zero. */
 static inline uint16_t cairn_body_link(const cairn_body *body) { return (uint16_t)body->dw; }
@@ -170,8 +171,8 @@ void cairn_bodies_look_ahead(cairn_world *world);
 void cairn_body_face(cairn_body *body);
 /* After it. */
 void cairn_bodies_end_search(cairn_world *world);
-/* Half sizes of the bounding box, with a margin for this step's motion. */
-void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body);
+/* Half sizes of the bounding box. */
+void cairn_body_refresh_extents(cairn_body *body);
 /* How far the body's surface can move in this step, and the reach. */
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
 /* So slow, and moved so little in this step, that the formats cannot tell it from rest. */
@@ -181,15 +182,28 @@ void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
 
 /* The first sub-step's velocity: force, gravity and damping; u keeps the velocity before. */
 void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy);
-/* The end of the step: poses move by the displacements. */
+/* The pose moves by the displacement. */
+void cairn_body_move(cairn_world *world, cairn_body *body);
+/* The end of the step: all that have not moved yet. */
 void cairn_bodies_finish(cairn_world *world);
+
+/*
+ * During the sub-steps the first of several bodies one after the other that do not take part in them keeps in ux the place behind the last
+ * of them, and walks over all bodies skip them at once. What a contact or a spring holds keeps none, since these add to ux.
+ */
+static inline cairn_body *cairn_body_skip(const cairn_world *world, cairn_body *body)
+{
+    cairn_body *next = &world->bodies[(uint16_t)body->ux];
+    return next > body ? next : body + 1;
+}
 
 /* ---- broad phase ---- */
 extern const cairn_broad_class cairn_broad_pairs;
-static inline bool cairn_boxes_overlap(const cairn_body *a, const cairn_body *b)
+/* Are the boxes at most so far apart? */
+static inline bool cairn_boxes_are_near(const cairn_body *a, const cairn_body *b, cairn_real way)
 {
-    return cairn_real_is_within(a->x - b->x, cairn_real_from_extents(a->extent_x, b->extent_x))
-        && cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y));
+    return cairn_real_is_within(a->x - b->x, cairn_real_from_extents(a->extent_x, b->extent_x) + way)
+        && cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y) + way);
 }
 
 /* ---- narrow phase ---- */

@@ -19,42 +19,42 @@ static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
  * How far the surface can move in this step. It lies at most 2 sqrt(2) radii of gyration from the centre, so 3 w bounds its speed by
  * spin; a circle's has none.
  */
-static cairn_offset way_of(const cairn_world *world, const cairn_body *body)
+static inline cairn_real way_of(const cairn_world *world, const cairn_body *body)
 {
-    cairn_offset speed = cairn_offset_from_motion(magnitude(body->vx)) + cairn_offset_from_motion(magnitude(body->vy));
-    if (body->model->shape->kind->outline != NULL) {
-        speed += 3 * cairn_offset_from_motion(magnitude(body->w));
+    cairn_motion speed = magnitude(body->vx) + magnitude(body->vy); /* at most 5 * 0.93 m a sub-step in all */
+    if (body->w != 0 && !cairn_body_is_round(body)) {
+        speed += 3 * magnitude(body->w);
     }
-    return speed * world->substeps;
+    return cairn_real_above_motion(speed) * world->substeps;
 }
 
-cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) { return CAIRN_REACH + way_of(world, body); }
+cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) { return CAIRN_REACH + cairn_offset_from_real(way_of(world, body)); }
 
-/* More than this in a step is in the margin of a body's box; less is in that of every box. */
-#define BRISK (CAIRN_REACH / 4)
+/* More than this in a step, m, is brisk; less is in the margin of every box. */
+#define BRISK CAIRN_F(0.00125)
 
-static bool is_long(cairn_offset way, const cairn_shape *shape)
-{
-    return way > BRISK && 4 * way > cairn_offset_from_real(shape->kind->inradius(shape));
-}
+static bool is_long(cairn_real way, const cairn_shape *shape) { return way > BRISK && 4 * way > shape->kind->inradius(shape); }
 
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body) { return is_long(way_of(world, body), body->model->shape); }
 
-/* Those of all angles of the sector in which it looks: what hardly turns keeps them. */
-static void set_extents(cairn_body *body, cairn_offset way)
+/* All angles of the sector in which the body looks, so that what hardly turns keeps its box: a 4096th of a turn, or a 64th for what is brisk. */
+static void set_extents(cairn_body *body, bool brisk)
 {
     const cairn_shape *shape = body->model->shape;
-    cairn_real margin = cairn_real_above_offset(CAIRN_REACH + (way > BRISK ? way : BRISK)), x, y;
+    cairn_real margin = cairn_real_above_offset(CAIRN_REACH) + BRISK, x, y, wider = 0, higher = 0;
     cairn_unit c, s;
     cairn_body_facing(body, &c, &s);
     shape->kind->extents(shape, c, s, &x, &y);
-    bool turns = cairn_body_can_turn(body) && !cairn_body_is_round(body);
-    body->extent_x = cairn_extent_above(x + margin + (turns ? cairn_real_sector(y) : 0));
-    body->extent_y = cairn_extent_above(y + margin + (turns ? cairn_real_sector(x) : 0));
-    body->flags = (uint16_t)(way > BRISK ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
+    if (cairn_body_can_turn(body) && !cairn_body_is_round(body)) {
+        wider = brisk ? cairn_real_wide_sector(y) : cairn_real_sector(y);
+        higher = brisk ? cairn_real_wide_sector(x) : cairn_real_sector(x);
+    }
+    body->extent_x = cairn_extent_above(x + margin + wider);
+    body->extent_y = cairn_extent_above(y + margin + higher);
+    body->flags = (uint16_t)(brisk ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
 }
 
-void cairn_body_refresh_extents(const cairn_world *world, cairn_body *body) { set_extents(body, way_of(world, body)); }
+void cairn_body_refresh_extents(cairn_body *body) { set_extents(body, false); }
 
 void cairn_body_face(cairn_body *body)
 {
@@ -64,29 +64,51 @@ void cairn_body_face(cairn_body *body)
     }
 }
 
+/* For the search a brisk body's box is wider by its way; so what flies keeps its box. */
+static inline void widen(cairn_body *body, cairn_real way)
+{
+    cairn_extent by = cairn_extent_above(way - BRISK);
+    body->extent_x = (cairn_extent)(body->extent_x + by); /* at most 126 m and 10 m */
+    body->extent_y = (cairn_extent)(body->extent_y + by);
+}
+
+static inline void narrow(cairn_body *body)
+{
+    cairn_extent by = cairn_extent_above(cairn_body_way(body) - BRISK);
+    body->extent_x = (cairn_extent)(body->extent_x - by);
+    body->extent_y = (cairn_extent)(body->extent_y - by);
+}
+
 void cairn_bodies_look_ahead(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     bool watches = world->continuous != NULL;
-    world->stats.awake = 0;
     world->fast = 0;
+    world->coasted = false;
+    uint16_t awake = 0;
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (!cairn_body_is_active(body)) {
             continue;
         }
-        cairn_offset way = way_of(world, body);
+        cairn_real way = way_of(world, body);
+        bool brisk = way > BRISK;
+        body->dx = body->dy = 0;
         body->dw = way;
-        if (way > BRISK || (body->flags & CAIRN_BODY_WIDE) || body->extent_x == 0) {
-            cairn_body_face(body);
-            set_extents(body, way);
-        }
         body->flags &= (uint16_t)~CAIRN_BODY_FAST;
-        if (watches && is_long(way, body->model->shape)) {
-            body->flags |= CAIRN_BODY_FAST;
-            world->fast++;
+        if (body->extent_x == 0 || (!brisk && (body->flags & CAIRN_BODY_WIDE))) {
+            cairn_body_face(body);
+            set_extents(body, brisk);
         }
-        world->stats.awake++;
+        if (brisk) {
+            widen(body, way);
+            if (watches && is_long(way, body->model->shape)) {
+                body->flags |= CAIRN_BODY_FAST;
+                world->fast++;
+            }
+        }
+        awake++;
     }
+    world->stats.awake = awake;
 }
 
 void cairn_bodies_end_search(cairn_world *world)
@@ -94,6 +116,9 @@ void cairn_bodies_end_search(cairn_world *world)
     const cairn_body *end = world->bodies + world->body_end;
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (body->flags & CAIRN_BODY_USED) {
+            if (cairn_body_way(body) > BRISK) {
+                narrow(body);
+            }
             body->dx = body->dy = body->dw = 0;
             body->flags &= (uint16_t)~CAIRN_BODY_FACING;
         }
@@ -159,9 +184,11 @@ static void mark_rest(cairn_world *world, const cairn_arbiter *arbiter)
     cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0),
                                              arbiter->kinetic_friction);
     bool slips = magnitude(arbiter->friction_impulse) >= limit;
-    unsigned marks = CAIRN_BODY_HELD | cairn_flag_if(slips, CAIRN_BODY_SLIPPING) | cairn_flag_if(on_two, CAIRN_BODY_STEADY);
-    a->flags = (uint16_t)(a->flags | marks);
-    b->flags = (uint16_t)(b->flags | marks);
+    unsigned kept = ~(cairn_flag_if(slips, CAIRN_BODY_GRIPS) | cairn_flag_if(on_two, CAIRN_BODY_UNSTEADY));
+    if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
+        a->flags = (uint16_t)((a->flags & kept) | CAIRN_BODY_HELD);
+    }
+    b->flags = (uint16_t)((b->flags & kept) | CAIRN_BODY_HELD);
 }
 
 static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
@@ -179,7 +206,7 @@ bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { ret
 
 static void calm(const cairn_world *world, cairn_body *body)
 {
-    if ((body->flags & (CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING)) == CAIRN_BODY_STEADY
+    if ((body->flags & (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD)) == (CAIRN_BODY_GRIPS | CAIRN_BODY_HELD)
         && is_within(body->vx, body->vy, body->w, world->rest_limit)) {
         body->vx -= cairn_motion_ratio(body->vx, world->rest_damping);
         body->vy -= cairn_motion_ratio(body->vy, world->rest_damping);
@@ -194,32 +221,56 @@ static void calm(const cairn_world *world, cairn_body *body)
 /* Which bodies a contact acted on, and which pairs touched. */
 static void mark_held(cairn_world *world)
 {
-    for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+    const uint16_t *end = world->order + world->arbiter_count;
+    unsigned points = 0;
+    for (const uint16_t *at = world->order; at != end; at++) {
+        cairn_arbiter *arbiter = &world->arbiters[*at];
         if (!(arbiter->flags & CAIRN_ARBITER_SOLVED)) {
             continue;
         }
-        world->stats.points = (uint16_t)(world->stats.points + arbiter->count);
+        points += arbiter->count;
         if (arbiter->rows[0].impulse >= LEAST_PUSH || (arbiter->count > 1 && arbiter->rows[1].impulse >= LEAST_PUSH)) {
             arbiter->flags |= CAIRN_ARBITER_TOUCHING;
             mark_rest(world, arbiter);
         }
     }
+    world->stats.points = (uint16_t)points;
 }
 
 /* Stop a coordinate at the edge of the world: its displacement is then not what it was to be. */
-static cairn_residue move_coordinate(cairn_world *world, cairn_real *x, cairn_residue residue, cairn_motion *v, cairn_motion *by)
+static void stop_at_edge(cairn_world *world, cairn_real *x, cairn_residue *residue, cairn_motion *v, cairn_motion *by)
 {
-    cairn_coordinate_move(x, &residue, *by);
-    if (*x > CAIRN_WORLD_EDGE || *x < -CAIRN_WORLD_EDGE) {
+    if (!cairn_real_is_within(*x, CAIRN_WORLD_EDGE)) {
         *x = *x > 0 ? CAIRN_WORLD_EDGE : -CAIRN_WORLD_EDGE;
-        residue = cairn_residue_zero();
+        *residue = cairn_residue_zero();
         *v = 0;
         *by = CAIRN_MOTION(1);
         world->stats.saturations++;
     }
-    return residue;
 }
+
+static inline void move(cairn_world *world, cairn_body *body)
+{
+    cairn_residue rx = body->x_residue, ry = body->y_residue;
+    cairn_coordinate_move(&body->x, &rx, body->dx);
+    cairn_coordinate_move(&body->y, &ry, body->dy);
+    if (!cairn_real_is_within(body->x, CAIRN_WORLD_EDGE) || !cairn_real_is_within(body->y, CAIRN_WORLD_EDGE)) {
+        stop_at_edge(world, &body->x, &rx, &body->vx, &body->dx);
+        stop_at_edge(world, &body->y, &ry, &body->vy, &body->dy);
+    }
+    body->x_residue = rx & CAIRN_RESIDUE_BITS;
+    body->y_residue = ry & CAIRN_RESIDUE_BITS;
+    if (body->dw != 0) {
+        cairn_angle before = body->angle;
+        body->angle = cairn_angle_add(before, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
+        if (!cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)
+            && !((body->flags & CAIRN_BODY_WIDE) && cairn_angle_is_in_wide_sector(before, body->angle))) {
+            body->extent_x = 0;
+        }
+    }
+}
+
+void cairn_body_move(cairn_world *world, cairn_body *body) { move(world, body); }
 
 /*
  * Symplectic Euler goes half a sub-step's gravity too far in every sub-step. Where nothing but gravity acted, taking
@@ -236,39 +287,39 @@ static void straighten(const cairn_world *world, cairn_body *body)
     body->dy -= cairn_motion_half(gy * world->substeps);
 }
 
+/* What took part in the sub-steps. */
+static inline void finish(cairn_world *world, cairn_body *body)
+{
+    if (cairn_body_is_dynamic(body)) {
+        if (body->flags & (CAIRN_BODY_HELD | CAIRN_BODY_SPRING)) {
+            calm(world, body);
+        } else {
+            straighten(world, body);
+        }
+    }
+    if (!is_within(body->vx, body->vy, body->w, world->speed_limit)) { /* the sweeps' own limit is a wider one */
+        cairn_body_limit_speed(world, body);
+    }
+    body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS);
+    move(world, body);
+    body->uy = body->uw = 0;
+}
+
 void cairn_bodies_finish(cairn_world *world)
 {
     mark_held(world);
     const cairn_body *end = world->bodies + world->body_end;
-    for (cairn_body *body = world->bodies; body != end; body++) {
-        if (!cairn_body_is_active(body)) {
-            continue;
+    for (cairn_body *body = world->bodies; body != end;) {
+        cairn_body *next = body + 1;
+        if (body->flags & (CAIRN_BODY_GOES | CAIRN_BODY_HELD)) {
+            finish(world, body);
+        } else if (world->coasted) {
+            next = cairn_body_skip(world, body);
+        } else if (cairn_body_is_active(body)) {
+            cairn_body_move(world, body);
         }
-        if (cairn_body_is_dynamic(body) && !(body->flags & (CAIRN_BODY_HELD | CAIRN_BODY_SPRING))) {
-            straighten(world, body);
-        } else if (cairn_body_is_dynamic(body)) {
-            calm(world, body);
-        }
-        if (!is_within(body->vx, body->vy, body->w, world->speed_limit)) { /* the sweeps' own limit is a wider one */
-            cairn_body_limit_speed(world, body);
-        }
-        body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_STEADY | CAIRN_BODY_SLIPPING | CAIRN_BODY_RESTLESS);
-        body->x_residue = move_coordinate(world, &body->x, body->x_residue, &body->vx, &body->dx) & CAIRN_RESIDUE_BITS;
-        body->y_residue = move_coordinate(world, &body->y, body->y_residue, &body->vy, &body->dy) & CAIRN_RESIDUE_BITS;
-        if (body->dw != 0) {
-            cairn_angle before = body->angle;
-            body->angle = cairn_angle_add(before, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
-            if (!cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)) {
-                body->extent_x = 0;
-            }
-        }
-        body->ux = body->uy = body->uw = 0;
+        body->ux = 0;
+        body = next;
     }
     cairn_arbiters_follow(world);
-    for (uint16_t i = 0; i < world->body_end; i++) { /* now, since the impact phase comes before the next start */
-        cairn_body *body = &world->bodies[i];
-        if (body->flags & CAIRN_BODY_USED) {
-            body->dx = body->dy = body->dw = 0;
-        }
-    }
 }

@@ -181,8 +181,8 @@ static bool is_last(cairn_real a, cairn_real b, cairn_real cell, cairn_real root
 
 CAIRN_APART bool reports(const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_body *a, const cairn_body *b)
 {
-    return is_last(a->x - cairn_real_from_extent(a->extent_x), b->x - cairn_real_from_extent(b->extent_x), place->x, tree->x)
-        && is_last(a->y - cairn_real_from_extent(a->extent_y), b->y - cairn_real_from_extent(b->extent_y), place->y, tree->y);
+    bounds box_a = bounds_of(a), box_b = bounds_of(b);
+    return is_last(box_a.left, box_b.left, place->x, tree->x) && is_last(box_a.bottom, box_b.bottom, place->y, tree->y);
 }
 
 /* One body against those behind it in the leaf. */
@@ -193,7 +193,7 @@ static void pair_with_rest(cairn_world *world, const cairn_quadtree *tree, const
     for (uint16_t other = entry->next; other != CAIRN_NONE; other = tree->entries[other].next) {
         uint16_t index = tree->entries[other].body;
         const cairn_body *b = &world->bodies[index];
-        if (cairn_boxes_overlap(a, b) && !(idle && !cairn_body_is_active(b)) && reports(tree, place, a, b)) {
+        if (cairn_boxes_are_near(a, b, 0) && !(idle && !cairn_body_is_active(b)) && reports(tree, place, a, b)) {
             cairn_arbiter_pair(world, entry->body, index);
         }
     }

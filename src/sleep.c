@@ -56,7 +56,7 @@ static void disturb(cairn_world *world, const cairn_body *body)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *other = &world->bodies[i];
-        if (is_asleep(other) && cairn_boxes_overlap(body, other)) {
+        if (is_asleep(other) && cairn_boxes_are_near(body, other, 0)) {
             cairn_body_wake_up(world, other);
         }
     }
@@ -101,12 +101,13 @@ static void count_rest(cairn_world *world, cairn_body *body)
     body->rest = (slow ? body->rest + counts : 0) & 255u;
 }
 
-static void fall_asleep(const cairn_world *world, cairn_body *body)
+static void fall_asleep(cairn_body *body)
 {
     body->flags |= CAIRN_BODY_ASLEEP;
     body->vx = body->vy = body->w = 0;
+    body->dx = body->dy = 0; /* its link is dropped later */
     if (body->extent_x == 0) { /* it may have to be found as it lies there */
-        cairn_body_refresh_extents(world, body);
+        cairn_body_refresh_extents(body);
     }
 }
 
@@ -148,7 +149,7 @@ static void settle(cairn_world *world)
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body) && cairn_body_is_dynamic(body) && !(world->bodies[root_of(world, i)].flags & CAIRN_BODY_RESTLESS)) {
-            fall_asleep(world, body);
+            fall_asleep(body);
         }
     }
     drop_links(world);

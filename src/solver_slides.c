@@ -94,6 +94,7 @@ static void start(cairn_world *world)
     cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
     for (uint16_t i = 0; i < world->body_end; i++) {
         if (cairn_body_is_active(&world->bodies[i])) {
+            world->bodies[i].flags |= CAIRN_BODY_GOES | CAIRN_BODY_UNSTEADY;
             cairn_body_start(world, &world->bodies[i], gx, gy);
         }
     }
@@ -103,7 +104,6 @@ static void advance(cairn_world *world)
 {
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
-        body->flags &= (uint16_t)~CAIRN_BODY_MET;
         if (cairn_body_is_active(body)) {
             cairn_body_limit_speed(world, body);
             body->dx += body->vx;

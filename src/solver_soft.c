@@ -29,12 +29,6 @@ static inline void limit(cairn_world *world, cairn_body *body)
     }
 }
 
-/* Whether a body takes part in the sub-steps. The others coast. */
-static inline bool is_met(const cairn_body *body)
-{
-    return (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) != 0 && cairn_body_is_active(body);
-}
-
 /* Only contacts ask how far it has moved: what hangs on springs alone need not lean. */
 static inline bool may_lean(const cairn_body *body) { return (body->flags & CAIRN_BODY_MET) != 0; }
 
@@ -50,7 +44,7 @@ static void lean_all(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     for (cairn_body *body = world->bodies; body != end; body++) {
-        if (may_lean(body) && is_met(body)) {
+        if ((body->flags & (CAIRN_BODY_GOES | CAIRN_BODY_MET)) == (CAIRN_BODY_GOES | CAIRN_BODY_MET)) {
             lean(body);
         }
     }
@@ -74,13 +68,17 @@ static inline void repeat(cairn_world *world, cairn_body *body, cairn_motion gx,
 static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    for (cairn_body *body = world->bodies; body != end; body++) {
-        if (is_met(body)) {
-            repeat(world, body, gx, gy);
-            if (world->springs == NULL) {
-                lean(body);
-            }
+    bool leans = world->springs == NULL;
+    for (cairn_body *body = world->bodies; body != end;) {
+        if (!(body->flags & CAIRN_BODY_GOES)) {
+            body = cairn_body_skip(world, body);
+            continue;
         }
+        repeat(world, body, gx, gy);
+        if (leans) {
+            lean(body);
+        }
+        body++;
     }
 }
 
@@ -88,18 +86,21 @@ static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 static void advance(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    for (cairn_body *body = world->bodies; body != end; body++) {
-        if (is_met(body)) {
-            if (may_lean(body)) {
-                body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
-                body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
-                body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
-            }
-            limit(world, body);
-            body->dx += body->vx;
-            body->dy += body->vy;
-            body->dw += body->w;
+    for (cairn_body *body = world->bodies; body != end;) {
+        if (!(body->flags & CAIRN_BODY_GOES)) {
+            body = cairn_body_skip(world, body);
+            continue;
         }
+        if (may_lean(body)) {
+            body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
+            body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
+            body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+        }
+        limit(world, body);
+        body->dx += body->vx;
+        body->dy += body->vy;
+        body->dw += body->w;
+        body++;
     }
 }
 
@@ -125,6 +126,10 @@ static fall fall_of(const cairn_world *world)
         f.dx += f.vx;
         f.dy += f.vy;
     }
+    if (f.is_slow) { /* the parabola exactly, as motion.c straightens it */
+        f.dx -= cairn_motion_half(world->gravity_x.whole * world->substeps);
+        f.dy -= cairn_motion_half(world->gravity_y.whole * world->substeps);
+    }
     return f;
 }
 
@@ -136,33 +141,55 @@ static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
         || !is_within(vx, world->speed_limit) || !is_within(vy, world->speed_limit)) {
         return false;
     }
-    body->dx += body->vx * world->substeps + f->dx;
-    body->dy += body->vy * world->substeps + f->dy;
-    body->dw += body->w * world->substeps;
+    body->dx = body->vx * world->substeps + f->dx;
+    body->dy = body->vy * world->substeps + f->dy;
+    body->dw = body->w * world->substeps;
     body->vx = vx;
     body->vy = vy;
     return true;
 }
 
-/* The first sub-step's velocities. */
+/* Does the body take part in the sub-steps? If not it has coasted, or does not move at all. */
+static bool goes(const cairn_world *world, cairn_body *body, const fall *f)
+{
+    if (!cairn_body_is_active(body)) {
+        return false;
+    }
+    if (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) {
+        return true;
+    }
+    if (coast(world, body, f)) {
+        return false;
+    }
+    body->flags |= CAIRN_BODY_MET;
+    return true;
+}
+
+/* The first sub-step's velocities. Of bodies that do not take part one after the other, the first tells where the next is that does. */
 static void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
+    cairn_body *idle = NULL;
+    world->coasted = world->fast == 0 && world->bounce == NULL; /* else continuous.c may have to look at all ways */
     for (cairn_body *body = world->bodies; body != end; body++) {
-        if (is_met(body)) {
+        if (goes(world, body, f)) {
+            if (idle != NULL) {
+                idle->ux = (cairn_motion)(body - world->bodies);
+                idle = NULL;
+            }
+            body->flags |= CAIRN_BODY_GOES;
             cairn_body_start(world, body, gx, gy);
-        } else if (cairn_body_is_active(body) && !coast(world, body, f)) {
-            body->flags |= CAIRN_BODY_MET;
-            cairn_body_start(world, body, gx, gy);
+            continue;
+        }
+        if (world->coasted && cairn_body_is_active(body)) {
+            cairn_body_move(world, body);
+        }
+        if (idle == NULL && !(body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING))) {
+            idle = body;
         }
     }
-}
-
-static void forget_meetings(cairn_world *world)
-{
-    const cairn_body *end = world->bodies + world->body_end;
-    for (cairn_body *body = world->bodies; body != end; body++) {
-        body->flags &= (uint16_t)~CAIRN_BODY_MET;
+    if (idle != NULL) {
+        idle->ux = (cairn_motion)world->body_end;
     }
 }
 
@@ -281,7 +308,6 @@ static void solve(cairn_world *world)
             world->block->kind->relax_pass(world);
         }
     }
-    forget_meetings(world);
 }
 
 const cairn_solver_class cairn_solver_soft = { solve };

