@@ -224,8 +224,12 @@ static bool may_follow(const cairn_arbiter *arbiter, const cairn_body *a, const 
 /* The way of the next step's sweeps, after this one's: mostly the same. */
 static uint8_t next_path(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
-    bool apart = arbiter->rows[0].gap > 0 || (arbiter->count > 1 && arbiter->rows[1].gap > 0);
     int way = before & CAIRN_PATH_WAY;
+    bool apart = arbiter->rows[0].gap > 0;
+    if (way >= CAIRN_PATH_SINGLE) {
+        return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(apart, CAIRN_PATH_APART));
+    }
+    apart = apart || (arbiter->count > 1 && arbiter->rows[1].gap > 0);
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 

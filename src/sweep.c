@@ -38,11 +38,13 @@ CAIRN_INLINE bool is_central(int path) { return path >= CAIRN_PATH_CENTRAL; }
 CAIRN_INLINE bool may_be_apart(int path) { return path >= CAIRN_PATH_SHARED; }
 CAIRN_INLINE bool has_two_points(int path) { return path <= CAIRN_PATH_SHARED; }
 
-CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path)
+CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(b->vx), b->vy), b->w);
+    cairn_size size = cairn_size_with(cairn_size_of(b->vx), b->vy);
+    size = with_spins ? cairn_size_with(size, b->w) : size;
     if (path != CAIRN_PATH_ON_STATIC) {
-        size = cairn_size_with(cairn_size_with(cairn_size_with(size, a->vx), a->vy), a->w);
+        size = cairn_size_with(cairn_size_with(size, a->vx), a->vy);
+        size = with_spins ? cairn_size_with(size, a->w) : size;
     }
     return cairn_size_is_below(size, CALM);
 }
@@ -167,7 +169,7 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
     if (has_two_points(path)) {
         size = cairn_size_with(size, rows[1].impulse);
     }
-    if (!cairn_size_is_below(size, CALM) || !is_calm(a, b, path)) {
+    if (!cairn_size_is_below(size, CALM) || !is_calm(a, b, path, true)) {
         cairn_careful_warm_start(world, arbiter, from_last);
         return;
     }
@@ -181,7 +183,7 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
 
 CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
-    if (!is_calm(a, b, path)) {
+    if (!is_calm(a, b, path, !is_central(path))) {
         cairn_careful_biased_pass(world, arbiter, from_last);
         return;
     }
@@ -211,7 +213,7 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
 
 CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
-    if (!is_calm(a, b, path)) {
+    if (!is_calm(a, b, path, true)) {
         cairn_careful_relax_pass(world, arbiter, from_last);
         return;
     }
