@@ -69,24 +69,30 @@ static bool is_below(cairn_motion xa, cairn_motion ya, cairn_motion wa, cairn_mo
     return cairn_size_is_below(cairn_size_with(cairn_size_with(cairn_size_with(size, xb), yb), wb), limit);
 }
 
-/* The motion of b against a in the step, eight times: what is rounded is then small, and no less than zero in the mean. */
+/* The motion of b against a in the step. */
 typedef struct relative_motion {
     cairn_motion x, y, spin_a, spin_b;
 } relative_motion;
 
-static relative_motion motion_of(const cairn_body *a, const cairn_body *b)
+/*
+ * False if that is no rest. Both bodies together may go as fast as they like: no displacement is beyond 7 m (world.c), so a difference that wraps is
+ * not short.
+ */
+static inline bool find_motion(const cairn_body *a, const cairn_body *b, relative_motion *by)
 {
-    relative_motion by;
-    by.x = 8 * (b->dx - a->dx);
-    by.y = 8 * (b->dy - a->dy);
-    by.spin_a = 8 * a->dw;
-    by.spin_b = 8 * b->dw;
-    return by;
+    by->x = b->dx - a->dx;
+    by->y = b->dy - a->dy;
+    by->spin_a = a->dw;
+    by->spin_b = b->dw;
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(by->x), by->y), by->spin_a);
+    return cairn_size_is_below(cairn_size_with(size, by->spin_b), HOLD_WAY);
 }
 
+/* How far two surfaces come apart, eight times: what is rounded is then small, and no less than zero in the mean. */
+static inline cairn_motion straight(const relative_motion *by, cairn_dir x, cairn_dir y) { return cairn_motion_along(8 * by->x, 8 * by->y, x, y); }
 static inline cairn_motion turning(const relative_motion *by, cairn_lever ja, cairn_lever jb)
 {
-    return cairn_motion_lever(by->spin_b, jb) - cairn_motion_lever(by->spin_a, ja);
+    return cairn_motion_lever(8 * by->spin_b, jb) - cairn_motion_lever(8 * by->spin_a, ja);
 }
 
 /* The gap of a row as rows.c has it, after the points have come apart by an eighth of this. */
@@ -155,35 +161,49 @@ static void settle_in_turn(const cairn_world *world, cairn_arbiter *arbiter, con
     }
 }
 
-/* Of contacts of one point. True if the row may serve again. */
-static bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+static void forget(cairn_arbiter *arbiter)
+{
+    cairn_arbiter_let_go(arbiter);
+    arbiter->rows[0].load = arbiter->rows[1].load = 0;
+}
+
+/* Impacts have their own ways; what is deeper than the push-out tells has no known gap. */
+static inline bool is_known(const cairn_row *row, cairn_motion deepest) { return !(row->feature & CAIRN_ROW_IN_FLIGHT) && row->gap > deepest; }
+
+/* Of contacts of one point. True if the row may serve again; else the gap stays what it was when the step began, which tells what came in flight. */
+CAIRN_APART bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
     cairn_row *row = &arbiter->rows[0];
+    relative_motion by;
     row->load = 0;
-    if (arbiter->slip < 0) {
-        arbiter->slip += magnitude(b->dx - a->dx) + magnitude(b->dy - a->dy) + arbiter->past.swept.a * magnitude(a->dw)
-                       + arbiter->past.swept.b * magnitude(b->dw);
-    }
-    if (arbiter->slip >= 0) { /* the gap stays what it was when the step began, which tells what came in flight */
+    if (arbiter->slip >= 0 || !is_known(row, deepest) || !find_motion(a, b, &by)) {
         return false;
     }
-    relative_motion by = motion_of(a, b);
-    cairn_motion eightfold = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
-    if (row->lever_a != 0 || row->lever_b != 0) { /* circles have none */
-        eightfold += turning(&by, row->lever_a, row->lever_b);
+    cairn_motion slip = arbiter->slip + magnitude(by.x) + magnitude(by.y), turned = 0;
+    if (arbiter->past.swept.a != 0 || arbiter->past.swept.b != 0) { /* not two circles, whose turning is none */
+        slip += arbiter->past.swept.a * magnitude(by.spin_a) + arbiter->past.swept.b * magnitude(by.spin_b);
+        turned = turning(&by, row->lever_a, row->lever_b);
     }
-    open_gap(row, eightfold);
+    arbiter->slip = slip;
+    if (slip >= 0) {
+        return false;
+    }
+    open_gap(row, straight(&by, arbiter->normal_x, arbiter->normal_y) + turned);
     return true;
 }
 
 /* Of two. */
-static bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
+    relative_motion by;
+    if (!is_known(&arbiter->rows[0], deepest) || !is_known(&arbiter->rows[1], deepest) || !find_motion(a, b, &by)) {
+        forget(arbiter);
+        return false;
+    }
     /* Twice the speed up to which bodies may come to rest is fast. */
     cairn_motion fast = 16 * world->rest_limit * world->substeps;
-    relative_motion by = motion_of(a, b);
-    cairn_motion apart = cairn_motion_along(by.x, by.y, arbiter->normal_x, arbiter->normal_y);
-    cairn_motion across = cairn_motion_along(by.y, -by.x, arbiter->normal_x, arbiter->normal_y)
+    cairn_motion apart = straight(&by, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion across = cairn_motion_along(8 * by.y, -8 * by.x, arbiter->normal_x, arbiter->normal_y)
                         + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
     bool doubtful = false, near = arbiter->friction_impulse != 0;
     for (cairn_row *row = arbiter->rows; row != arbiter->rows + 2; row++) {
@@ -205,31 +225,14 @@ static bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const c
         && cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN);
 }
 
-/* Blocks and impacts have their own ways; what is deeper than the push-out tells has no known gap. */
-static bool may_follow(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
-{
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(a->dx), a->dy), a->dw);
-    size = cairn_size_with(cairn_size_with(cairn_size_with(size, b->dx), b->dy), b->dw);
-    if ((arbiter->block & CAIRN_BLOCK_NUMBER) != 0 || !cairn_size_is_below(size, HOLD_WAY)) {
-        return false;
-    }
-    for (int i = 0; i < arbiter->count; i++) {
-        if ((arbiter->rows[i].feature & CAIRN_ROW_IN_FLIGHT) || arbiter->rows[i].gap <= deepest) {
-            return false;
-        }
-    }
-    return arbiter->count != 0;
-}
-
 /* The way of the next step's sweeps, after this one's: mostly the same. */
-static uint8_t next_path(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+static inline uint8_t next_path(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
     int way = before & CAIRN_PATH_WAY;
-    bool apart = arbiter->rows[0].gap > 0;
     if (way >= CAIRN_PATH_SINGLE) {
-        return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(apart, CAIRN_PATH_APART));
+        return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(arbiter->rows[0].gap > 0, CAIRN_PATH_APART));
     }
-    apart = apart || (arbiter->count > 1 && arbiter->rows[1].gap > 0);
+    bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 
@@ -248,10 +251,9 @@ void cairn_arbiters_follow(cairn_world *world)
         const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
         uint8_t before = (uint8_t)(arbiter->path & ~(unsigned)CAIRN_PATH_FRESH);
         arbiter->path = CAIRN_PATH_NONE;
-        if (none || !may_follow(arbiter, a, b, deepest)) {
-            cairn_arbiter_let_go(arbiter);
-            arbiter->rows[0].load = arbiter->rows[1].load = 0;
-        } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b) : follow_one(arbiter, a, b)) {
+        if (none || arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
+            forget(arbiter);
+        } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest)) {
             arbiter->path = next_path(world, arbiter, before);
         }
     }
