@@ -18,6 +18,7 @@ set(CAIRN_SOURCES
     src/continuous.c
     src/hash.c
     src/material.c
+    src/meet.c
     src/motion.c
     src/polygon_init.c
     src/quadtree.c

@@ -3,13 +3,6 @@
  * the solver's order does not depend on how pairs are found.
  */
 #include "engine.h"
-#include <cairn/spring.h>
-
-/*
- * Bodies farther from one another do not touch, being 125 m in radius at most, and their corners might be out of an
- * offset's range. Only giants at the highest speeds get here.
- */
-#define CENTRES_APART_MAX CAIRN_F(256)
 
 static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
 
@@ -36,7 +29,7 @@ static void expect_after(cairn_world *world, cairn_arbiter *arbiter)
     world->expected = &arbiter->after;
 }
 
-static cairn_arbiter *search(cairn_world *world, uint16_t a, uint16_t b)
+cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t place = place_of(world, key_of(a, b));
     cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
@@ -44,17 +37,6 @@ static cairn_arbiter *search(cairn_world *world, uint16_t a, uint16_t b)
         return NULL;
     }
     expect_after(world, arbiter);
-    return arbiter;
-}
-
-static cairn_arbiter *find(cairn_world *world, uint16_t a, uint16_t b)
-{
-    uint16_t slot = *world->expected;
-    cairn_arbiter *arbiter = slot == CAIRN_NONE ? NULL : &world->arbiters[slot];
-    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) { /* what is free again is of no body */
-        return search(world, a, b);
-    }
-    world->expected = &arbiter->after;
     return arbiter;
 }
 
@@ -85,7 +67,7 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
     }
 }
 
-static cairn_arbiter *insert(cairn_world *world, uint16_t a, uint16_t b)
+cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t place = place_of(world, key_of(a, b));
     if (world->arbiter_count == world->arbiter_capacity) {
@@ -111,163 +93,8 @@ static cairn_arbiter *insert(cairn_world *world, uint16_t a, uint16_t b)
     }
     mix_materials(arbiter, body_a->model->material, body_b->model->material);
     share_masses(arbiter, body_a, body_b);
+    expect_after(world, arbiter);
     return arbiter;
-}
-
-cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y)
-{
-    cairn_pose pose;
-    pose.shape = body->model->shape;
-    pose.x = x;
-    pose.y = y;
-    cairn_body_facing(body, &pose.c, &pose.s);
-    return pose;
-}
-
-/* The contact seen from the other body: centres are (x, y) apart. */
-static void turn_round(cairn_manifold *manifold, cairn_offset x, cairn_offset y)
-{
-    manifold->normal_x = -manifold->normal_x;
-    manifold->normal_y = -manifold->normal_y;
-    for (int i = 0; i < manifold->count; i++) {
-        manifold->points[i].x += x;
-        manifold->points[i].y += y;
-    }
-}
-
-void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
-{
-    uint8_t rank_a = a->shape->kind->rank, rank_b = b->shape->kind->rank;
-    cairn_offset x = b->x - a->x, y = b->y - a->y;
-    if (rank_a <= rank_b) {
-        b->shape->kind->collide[rank_a](a, b, margin, out);
-    } else {
-        out->normal_x = out->normal_y = 0; /* not set where there is no contact */
-        a->shape->kind->collide[rank_b](b, a, margin, out);
-        turn_round(out, x, y);
-    }
-    out->x = x;
-    out->y = y;
-    out->time = 0;
-}
-
-void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
-{
-    cairn_pose pa = cairn_body_pose(a, 0, 0);
-    cairn_pose pb = cairn_body_pose(b, cairn_bodies_apart_x(a, b),
-                            cairn_bodies_apart_y(a, b));
-    cairn_poses_collide(&pa, &pb, margin, out);
-}
-
-bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
-{
-    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
-        return false;
-    }
-    if (!(body_a->model->layer & body_b->model->mask) || !(body_b->model->layer & body_a->model->mask)) {
-        return false;
-    }
-    return !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !world->springs->kind->joined(world, a, b);
-}
-
-static bool any_penetrates(const cairn_manifold *manifold)
-{
-    return manifold->points[0].separation <= 0 || (manifold->count > 1 && manifold->points[1].separation <= 0);
-}
-
-/*
- * Corner before corner, neither has a face in front of it and there is no contact. So near, and with so much motion in the step (10 mm), they
- * may be one in the other when it ends.
- */
-static bool passes_corner(cairn_offset margin, const cairn_manifold *manifold)
-{
-    return margin > 4 * CAIRN_REACH && manifold->separation < margin - 2 * CAIRN_REACH;
-}
-
-/* What an arbiter is in this step, from here on; what it was in the one before is kept. */
-static void renew(cairn_world *world, cairn_arbiter *arbiter, unsigned marks)
-{
-    if (!(arbiter->flags & CAIRN_ARBITER_FRESH)) { /* else it was found before something woke, too */
-        unsigned touched = cairn_flag_if((arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED);
-        arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)(CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED | CAIRN_ARBITER_SOLVED)) | touched);
-        world->fresh++;
-    }
-    arbiter->flags = (uint8_t)(arbiter->flags | CAIRN_ARBITER_FRESH | marks);
-    if (marks & CAIRN_ARBITER_SOLVED) {
-        world->bodies[arbiter->a].flags |= CAIRN_BODY_MET;
-        world->bodies[arbiter->b].flags |= CAIRN_BODY_MET;
-    }
-    world->uneven |= marks & CAIRN_ARBITER_SOLVED ? arbiter->block : 0;
-}
-
-/* The contact of two bodies in this step. */
-static void look(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
-{
-    if ((a->flags | b->flags) & CAIRN_BODY_FAST) {
-        world->continuous->meet(world, a, b, manifold);
-        return;
-    }
-    cairn_offset margin = 2 * CAIRN_REACH + cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b));
-    manifold->separation = margin; /* where the narrow phase finds them farther apart it says nothing */
-    cairn_bodies_collide(a, b, margin, manifold);
-    if (world->continuous == NULL) {
-        return;
-    }
-    if (manifold->count != 0) {
-        world->continuous->slide(world, a, b, margin, manifold);
-    } else if (passes_corner(margin, manifold)) {
-        world->continuous->meet(world, a, b, manifold);
-    }
-}
-
-/* Look at a pair, whose arbiter is null if there is none yet. */
-static void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
-{
-    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    cairn_manifold manifold;
-    if (!cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) || !cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)
-        || !cairn_bodies_may_meet(world, a, b)) {
-        return;
-    }
-    cairn_body_face(body_a);
-    cairn_body_face(body_b);
-    look(world, body_a, body_b, &manifold);
-    if (manifold.count == 0) {
-        return;
-    }
-    if (arbiter == NULL) {
-        arbiter = insert(world, a, b);
-        if (arbiter == NULL) {
-            return;
-        }
-        expect_after(world, arbiter);
-    }
-    cairn_arbiter_prepare(world, arbiter, &manifold);
-    bool sleeps = ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP) != 0; /* wakes, if at all, before the next search */
-    bool solved = !(arbiter->flags & CAIRN_ARBITER_SENSOR) && !sleeps;
-    renew(world, arbiter, cairn_flag_if(solved, CAIRN_ARBITER_SOLVED) | cairn_flag_if(any_penetrates(&manifold), CAIRN_ARBITER_TOUCHING));
-    arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
-    world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
-}
-
-void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
-{
-    bool moves_a = cairn_body_is_dynamic(&world->bodies[a]), moves_b = cairn_body_is_dynamic(&world->bodies[b]);
-    world->stats.pairs++;
-    /* The body that does not move, else the one with the lower place, comes first. */
-    if (moves_a == moves_b ? a > b : moves_a) {
-        uint16_t swap = a;
-        a = b;
-        b = swap;
-    }
-    cairn_arbiter *arbiter = find(world, a, b);
-    if (arbiter != NULL && cairn_arbiter_holds(arbiter, &world->bodies[a], &world->bodies[b])) {
-        bool touches = !(arbiter->path & CAIRN_PATH_APART);
-        renew(world, arbiter, CAIRN_ARBITER_SOLVED | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
-        return;
-    }
-    meet(world, arbiter, a, b);
 }
 
 /* What touches and is driven together faster than this, m per sub-step, is held back: see hold_back(). */

@@ -277,23 +277,17 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 
 /* ---- arbiter.c ---- */
+/* The arbiter of a pair, null if there is none; and a new one, null if there is no room. What is found next is expected after it. */
+cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b);
+cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b);
 /* May these two collide at all, by kind, layers and springs? */
 bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b);
-/* Both bodies come within reach of one another's boxes: refresh their arbiter. Each pair once a step. */
-void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
 /* Before the pairs. */
 void cairn_arbiters_begin(cairn_world *world);
 /* After the pairs: forget the arbiters that none of them refreshed. */
 void cairn_arbiters_sweep(cairn_world *world);
 /* Forget the arbiters of a body and wake its partners. */
 void cairn_arbiters_remove_body(cairn_world *world, uint16_t body);
-/* The contact of two shapes in the places given, whichever of them has the higher rank. */
-void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
-/* A body where it is now, with its centre of mass at (x, y). */
-cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y);
-/* The manifold of two bodies where they are now. */
-void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
-
 /* Wake all that it touches. */
 void cairn_arbiters_wake_partners(cairn_world *world, uint16_t body);
 /* After a change of a body's material. */
@@ -311,6 +305,16 @@ static inline int cairn_arbiter_exponent(const cairn_arbiter *arbiter)
     return arbiter->block & CAIRN_BLOCK_NUMBER ? arbiter->past.block.exponent : 0;
 }
 static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
+
+/* ---- meet.c ---- */
+/* Both bodies come within reach of one another's boxes: refresh their arbiter. Each pair once a step. */
+void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
+/* The contact of two shapes in the places given, whichever of them has the higher rank. */
+void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+/* A body where it is now, with its centre of mass at (x, y). */
+cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y);
+/* The manifold of two bodies where they are now. */
+void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
 
 /* ---- fast bodies ---- */
 /* Does this step's motion carry the body further than a quarter of its smallest half size? */

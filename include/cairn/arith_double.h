@@ -50,6 +50,7 @@ static inline cairn_real cairn_real_from_int(int32_t x) { return x; }
 static inline int32_t cairn_real_floor(cairn_real x) { return (int32_t)floor(x); }
 static inline bool cairn_real_is_within(cairn_real x, cairn_real limit) { return x <= limit && -x <= limit; }
 static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
+static inline bool cairn_real_is_longer(cairn_real x, cairn_real y, cairn_real r) { return r < 8 && x * x + y * y > (r + 0.001) * (r + 0.001); }
 static inline cairn_real cairn_real_divide(cairn_real a, cairn_real b)
 {
     return b != 0 ? a / b : a > 0 ? CAIRN_REAL_MAX : a < 0 ? -CAIRN_REAL_MAX : 0;

@@ -160,6 +160,16 @@ static inline int32_t cairn_real_floor(cairn_real x) { return x >> 16; }
 /* -limit <= x <= limit; limit >= 0 */
 static inline bool cairn_real_is_within(cairn_real x, cairn_real limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
 static inline cairn_real cairn_real_half(cairn_real x) { return x / 2; }
+/* Is (x, y) longer than r? Not where it is by less than 1 mm, or r is beyond 8 m. 0 <= r. */
+static inline bool cairn_real_is_longer(cairn_real x, cairn_real y, cairn_real r)
+{
+    uint32_t dx = (uint32_t)(x < 0 ? -x : x), dy = (uint32_t)(y < 0 ? -y : y), limit = ((uint32_t)r >> 4) + 1;
+    if (r >= 8 << 16) { return false; }
+    if (dx > (uint32_t)r || dy > (uint32_t)r) { return true; }
+    dx >>= 4;
+    dy >>= 4;
+    return dx * dx + dy * dy > limit * limit;
+}
 
 /* a / b rounded to nearest, halves away from zero; saturates, also for b = 0 (with the sign of a; 0 / 0 is 0). */
 cairn_real cairn_real_divide(cairn_real a, cairn_real b);

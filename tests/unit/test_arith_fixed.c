@@ -270,6 +270,19 @@ void test_length_is_nearest_and_saturates(void)
     }
 }
 
+void test_what_is_longer_by_a_millimetre_is_told_and_nothing_shorter_is(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        cairn_real r = (cairn_real)(arith_random_bits(&random) % (8u << 16)), x = any() >> 11, y = any() >> 11;
+        cairn_real length = cairn_real_length(x, y);
+        bool longer = cairn_real_is_longer(x, y, r);
+        TEST_ASSERT_TRUE(!longer || length >= r);
+        TEST_ASSERT_TRUE(longer || length <= r + CAIRN_F(0.001));
+    }
+    TEST_ASSERT_TRUE(cairn_real_is_longer(CAIRN_F(-20000), CAIRN_F(20000), CAIRN_F(7.9)));
+    TEST_ASSERT_FALSE(cairn_real_is_longer(CAIRN_F(9), 0, CAIRN_F(8)));
+}
+
 void test_geometric_mean_is_nearest(void)
 {
     TEST_ASSERT_EQUAL_INT32(CAIRN_F(6), cairn_real_geometric_mean(CAIRN_F(4), CAIRN_F(9)));

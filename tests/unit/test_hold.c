@@ -1,6 +1,7 @@
 /* Contacts at rest: rows that serve again, slips that are taken back, loads that no longer sink in. */
 #define YARD_BODIES 24
 #define YARD_ARBITERS 40
+# include "../../src/engine.h"
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
 static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
@@ -229,4 +230,57 @@ void test_a_disc_driven_into_another_one_is_looked_at_anew(void)
     run(2);
     TEST_ASSERT_TRUE(vx_of(right) > CAIRN_F(0.4));
     TEST_ASSERT_TRUE(x_of(right) - x_of(left) > CAIRN_F(0.995));
+}
+
+/* Two crates that fall together, 8 mm from one another. */
+static cairn_arbiter *fall_together(cairn_body_id *lower, cairn_body_id *upper)
+{
+    *lower = put(&box, 0, CAIRN_F(20));
+    *upper = put(&box, 0, CAIRN_F(21.008));
+    run(1);
+    return &world->arbiters[world->order[0]];
+}
+
+void test_crates_that_fall_together_keep_their_rows(void)
+{
+    cairn_body_id lower, upper;
+    const cairn_arbiter *between = fall_together(&lower, &upper);
+    run(20);
+    TEST_ASSERT_EQUAL(1, world->arbiter_count);
+    TEST_ASSERT_NOT_EQUAL(CAIRN_PATH_NONE, between->path);
+    TEST_ASSERT_EQUAL(0, between->path & CAIRN_PATH_FRESH);
+    ASSERT_NEAR(0.0001, 1.008, y_of(upper) - y_of(lower));
+}
+
+void test_what_drifts_apart_while_it_falls_is_looked_at_anew(void)
+{
+    cairn_body_id lower, upper;
+    const cairn_arbiter *between = fall_together(&lower, &upper);
+    ASSERT_OK(cairn_body_set_velocity(world, upper, at(CAIRN_F(0.05), cairn_body_velocity(world, lower).y)));
+    int anew = 0;
+    for (int i = 0; i < 12; i++) { /* 10 mm */
+        run(1);
+        anew += between->path == CAIRN_PATH_NONE ? 1 : 0;
+    }
+    TEST_ASSERT_TRUE(anew >= 2 && anew <= 6);
+}
+
+void test_crates_that_fell_together_land_on_one_another(void)
+{
+    cairn_body_id lower = put(&box, 0, CAIRN_F(0.51)), upper = put(&box, CAIRN_F(0.2), CAIRN_F(1.52));
+    run(300);
+    ASSERT_NEAR(0.001, 0.5, y_of(lower));
+    ASSERT_NEAR(0.001, 1.5, y_of(upper));
+    ASSERT_NEAR(0.001, 0.2, x_of(upper));
+}
+
+void test_crates_that_a_game_drives_together_in_the_air_are_looked_at_anew(void)
+{
+    cairn_body_id lower, upper;
+    const cairn_arbiter *between = fall_together(&lower, &upper);
+    ASSERT_OK(cairn_body_set_velocity(world, upper, at(0, CAIRN_F(-0.2))));
+    run(1);
+    TEST_ASSERT_TRUE(between->path == CAIRN_PATH_NONE || between->rows[0].gap < CAIRN_MOTION(0.008));
+    run(20);
+    TEST_ASSERT_TRUE(y_of(upper) - y_of(lower) > CAIRN_F(0.999));
 }

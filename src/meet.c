@@ -1,0 +1,209 @@
+/*
+ * Pairs whose boxes overlap, in the search for contacts: one that holds is taken as it is, the others get the contact of the
+ * narrow phase, if there is one, and its rows.
+ */
+#include "engine.h"
+#include <cairn/spring.h>
+
+/*
+ * Bodies farther from one another do not touch, being 125 m in radius at most, and their corners might be out of an
+ * offset's range. Only giants at the highest speeds get here.
+ */
+#define CENTRES_APART_MAX CAIRN_F(256)
+
+cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y)
+{
+    cairn_pose pose;
+    pose.shape = body->model->shape;
+    pose.x = x;
+    pose.y = y;
+    cairn_body_facing(body, &pose.c, &pose.s);
+    return pose;
+}
+
+/* The contact seen from the other body: centres are (x, y) apart. */
+static void turn_round(cairn_manifold *manifold, cairn_offset x, cairn_offset y)
+{
+    manifold->normal_x = -manifold->normal_x;
+    manifold->normal_y = -manifold->normal_y;
+    for (int i = 0; i < manifold->count; i++) {
+        manifold->points[i].x += x;
+        manifold->points[i].y += y;
+    }
+}
+
+void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
+{
+    uint8_t rank_a = a->shape->kind->rank, rank_b = b->shape->kind->rank;
+    cairn_offset x = b->x - a->x, y = b->y - a->y;
+    if (rank_a <= rank_b) {
+        b->shape->kind->collide[rank_a](a, b, margin, out);
+    } else {
+        out->normal_x = out->normal_y = 0; /* not set where there is no contact */
+        a->shape->kind->collide[rank_b](b, a, margin, out);
+        turn_round(out, x, y);
+    }
+    out->x = x;
+    out->y = y;
+    out->time = 0;
+}
+
+void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
+{
+    cairn_pose pa = cairn_body_pose(a, 0, 0);
+    cairn_pose pb = cairn_body_pose(b, cairn_bodies_apart_x(a, b),
+                            cairn_bodies_apart_y(a, b));
+    cairn_poses_collide(&pa, &pb, margin, out);
+}
+
+bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
+{
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
+        return false;
+    }
+    if (!(body_a->model->layer & body_b->model->mask) || !(body_b->model->layer & body_a->model->mask)) {
+        return false;
+    }
+    return !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !world->springs->kind->joined(world, a, b);
+}
+
+static bool any_penetrates(const cairn_manifold *manifold)
+{
+    return manifold->points[0].separation <= 0 || (manifold->count > 1 && manifold->points[1].separation <= 0);
+}
+
+/*
+ * Corner before corner, neither has a face in front of it and there is no contact. So near, and with so much motion in the step (10 mm), they
+ * may be one in the other when it ends.
+ */
+static bool passes_corner(cairn_offset margin, const cairn_manifold *manifold)
+{
+    return margin > 4 * CAIRN_REACH && manifold->separation < margin - 2 * CAIRN_REACH;
+}
+
+/* The contact of two bodies in this step. */
+static void look(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
+{
+    if ((a->flags | b->flags) & CAIRN_BODY_FAST) {
+        world->continuous->meet(world, a, b, manifold);
+        return;
+    }
+    cairn_offset margin = 2 * CAIRN_REACH + cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b));
+    manifold->separation = margin; /* where the narrow phase finds them farther apart it says nothing */
+    cairn_bodies_collide(a, b, margin, manifold);
+    if (world->continuous == NULL) {
+        return;
+    }
+    if (manifold->count != 0) {
+        world->continuous->slide(world, a, b, margin, manifold);
+    } else if (passes_corner(margin, manifold)) {
+        world->continuous->meet(world, a, b, manifold);
+    }
+}
+
+/* What an arbiter is in this step, from here on; what it was in the one before is kept. */
+static inline void renew(cairn_world *world, cairn_arbiter *arbiter, bool touches)
+{
+    unsigned flags = arbiter->flags;
+    if (!(flags & CAIRN_ARBITER_FRESH)) { /* else it was found before something woke, too */
+        unsigned touched = cairn_flag_if((flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED);
+        flags = (flags & ~(unsigned)(CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED | CAIRN_ARBITER_SOLVED)) | touched;
+        world->fresh++;
+    }
+    arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_FRESH | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
+}
+
+/* It pushes in this step. */
+static inline void engage(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
+{
+    arbiter->flags |= CAIRN_ARBITER_SOLVED;
+    a->flags |= CAIRN_BODY_MET;
+    b->flags |= CAIRN_BODY_MET;
+    world->uneven |= arbiter->block;
+}
+
+/* How far a body's surface lies from its centre of mass, at most. A box's corner: sqrt(1 + t^2) <= 1 + t / 2 for t in [0, 1]. */
+static cairn_real radius_of(const cairn_body *body)
+{
+    cairn_vec2 size = body->model->shape->size;
+    return size.y == 0 ? size.x : cairn_real_half(size.x > size.y ? size.x + cairn_real_half(size.y) : size.y + cairn_real_half(size.x));
+}
+
+/* Boxes meet at their corners, where most bodies have none: those are farther apart than the discs around them. */
+static bool are_beyond(const cairn_body *a, const cairn_body *b)
+{
+    cairn_real margin = cairn_real_above_offset(2 * CAIRN_REACH) + cairn_body_way(a) + cairn_body_way(b);
+    return cairn_real_is_longer(a->x - b->x, a->y - b->y, radius_of(a) + radius_of(b) + margin);
+}
+
+static bool may_look(const cairn_world *world, uint16_t a, uint16_t b)
+{
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    return cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) && cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)
+        && cairn_bodies_may_meet(world, a, b);
+}
+
+/* Look at a pair, whose arbiter is null if there is none yet. */
+CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
+{
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    cairn_manifold manifold;
+    if (!may_look(world, a, b)) {
+        return;
+    }
+    cairn_body_face(body_a);
+    cairn_body_face(body_b);
+    look(world, body_a, body_b, &manifold);
+    if (manifold.count == 0) {
+        return;
+    }
+    if (arbiter == NULL) {
+        arbiter = cairn_arbiter_insert(world, a, b);
+        if (arbiter == NULL) {
+            return;
+        }
+    }
+    cairn_arbiter_prepare(world, arbiter, &manifold);
+    renew(world, arbiter, any_penetrates(&manifold));
+    /* What sleeps wakes, if at all, before the next search. */
+    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP)) {
+        engage(world, arbiter, body_a, body_b);
+    }
+    arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
+    world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
+}
+
+/* The arbiter that was found after the last one, in the step before. */
+static inline cairn_arbiter *expected(const cairn_world *world)
+{
+    uint16_t slot = *world->expected;
+    return slot == CAIRN_NONE ? NULL : &world->arbiters[slot];
+}
+
+void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
+{
+    bool moves_a = cairn_body_is_dynamic(&world->bodies[a]), moves_b = cairn_body_is_dynamic(&world->bodies[b]);
+    world->stats.pairs++;
+    /* The body that does not move, else the one with the lower place, comes first. */
+    if (moves_a == moves_b ? a > b : moves_a) {
+        uint16_t swap = a;
+        a = b;
+        b = swap;
+    }
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    cairn_arbiter *arbiter = expected(world);
+    if (arbiter != NULL && arbiter->a == a && arbiter->b == b) { /* what is free again is of no body */
+        world->expected = &arbiter->after;
+    } else if (are_beyond(body_a, body_b)) {
+        return;
+    } else {
+        arbiter = cairn_arbiter_search(world, a, b);
+    }
+    if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
+        renew(world, arbiter, !(arbiter->path & CAIRN_PATH_APART));
+        engage(world, arbiter, body_a, body_b);
+    } else {
+        meet(world, arbiter, a, b);
+    }
+}
