@@ -9,6 +9,8 @@ set(CAIRN_SOURCES
     src/body_force.c
     src/body_state.c
     src/bounce.c
+    src/bounce_meet.c
+    src/bounce_strike.c
     src/broad_pairs.c
     src/collide_box.c
     src/collide_circle_polygon.c
