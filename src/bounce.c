@@ -6,6 +6,8 @@
 #include "bounce.h"
 
 #define PASSES 16
+/* At most half of CAIRN_IMPACT_TURNING. */
+#define CALM CAIRN_MOTION(0.0004)
 
 static void mix(cairn_impact *i, const cairn_world *world)
 {
@@ -38,7 +40,7 @@ static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, 
     i.b = &world->bodies[arbiter->b];
     i.px = i.py = 0;
     i.x = i.y = 0;
-    i.adopted = false;
+    i.adopted = i.changed = false;
     i.substep = substep;
     mix(&i, world);
     weigh(&i, world);
@@ -83,18 +85,41 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, boo
     if (i.adopted) {
         cairn_impact_hand_back(&i);
     }
+    if (i.changed) {
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
+        world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
+    }
     return hits;
+}
+
+/*
+ * A pair that moves so slowly has no impact: |u| is at most 2 sqrt(2) times the greatest part of either velocity, and of either spin, 8.5 of them in all,
+ * and what closes by less than gravity adds in a sub-step rests.
+ */
+static cairn_motion calm_speed(const cairn_world *world)
+{
+    cairn_motion calm = cairn_motion_ratio(cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole)), CAIRN_RATIO(1.0 / 9));
+    return calm < CALM ? calm : CALM;
+}
+
+static bool is_calm(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion calm)
+{
+    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(a->vx), a->vy), a->w);
+    size = cairn_size_with(cairn_size_with(cairn_size_with(size, b->vx), b->vy), b->w);
+    return cairn_size_is_below(size, calm) && !((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT);
 }
 
 static void impact_phase(cairn_world *world, int substep)
 {
+    cairn_motion calm = calm_speed(world);
     bool any = true;
     for (int pass = 0; pass < PASSES && any; pass++) {
         any = false;
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
             uint16_t at = (uint16_t)(pass & 1 ? world->arbiter_count - 1 - place : place);
             cairn_arbiter *arbiter = cairn_arbiter_at(world, at);
-            if (may_bounce(arbiter)) {
+            if (may_bounce(arbiter) && !is_calm(world, arbiter, calm)) {
                 any = collide(world, arbiter, substep, pass < PASSES / 2) || any;
             }
         }

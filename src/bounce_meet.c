@@ -112,15 +112,29 @@ static course course_until(const cairn_impact *i, cairn_unit time)
     return c;
 }
 
+/* The same until this sub-step's start. */
+static course course_so_far(const cairn_impact *i)
+{
+    const cairn_body *a = i->a, *b = i->b;
+    course c;
+    c.x = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx) + fall(i, i->gx, 0);
+    c.y = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy) + fall(i, i->gy, 0);
+    c.turn_a = cairn_offset_from_motion(a->dw);
+    c.turn_b = cairn_offset_from_motion(b->dw);
+    return c;
+}
+
+static cairn_offset way_of_sweeps(cairn_motion d, cairn_motion v) { return cairn_offset_from_motion(cairn_motion_add(d, v)); }
+
 /* As the sweeps will see it at the end of this sub-step: half a sub-step's fall farther down for each so far. */
 static course course_of_sweeps(const cairn_impact *i)
 {
     const cairn_body *a = i->a, *b = i->b;
     course c;
-    c.x = way(b->dx, b->vx + i->gx, CAIRN_UNIT(1)) - way(a->dx, a->vx, CAIRN_UNIT(1));
-    c.y = way(b->dy, b->vy + i->gy, CAIRN_UNIT(1)) - way(a->dy, a->vy, CAIRN_UNIT(1));
-    c.turn_a = way(a->dw, a->w, CAIRN_UNIT(1));
-    c.turn_b = way(b->dw, b->w, CAIRN_UNIT(1));
+    c.x = way_of_sweeps(b->dx, b->vx + i->gx) - way_of_sweeps(a->dx, a->vx);
+    c.y = way_of_sweeps(b->dy, b->vy + i->gy) - way_of_sweeps(a->dy, a->vy);
+    c.turn_a = way_of_sweeps(a->dw, a->w);
+    c.turn_b = way_of_sweeps(b->dw, b->w);
     return c;
 }
 
@@ -157,6 +171,7 @@ static void contact_after(const cairn_impact *i, const course *c, cairn_manifold
 static void adopt(cairn_world *world, cairn_impact *i, const course *c, const cairn_manifold *contact)
 {
     cairn_arbiter *arbiter = i->arbiter;
+    i->changed = true;
     if (!i->adopted) {
         i->adopted = true;
         i->before = repeated_of(i);
@@ -210,6 +225,19 @@ static cairn_unit time_of(cairn_motion part, cairn_motion whole)
     return 2 * (half < CAIRN_UNIT(0.99) ? half : CAIRN_UNIT(0.99));
 }
 
+/* Does any point close faster than what is no impact? What leaves as fast is in flight. */
+static bool any_closes(const cairn_impact *i)
+{
+    bool any = false;
+    for (int k = 0; k < i->arbiter->count; k++) {
+        cairn_row *row = &i->arbiter->rows[k];
+        cairn_motion u = cairn_impact_row_velocity(i, row);
+        row->feature = (uint16_t)((row->feature & ~CAIRN_ROW_IN_FLIGHT) | cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT));
+        any = any || u < -i->rest;
+    }
+    return any;
+}
+
 /*
  * Do the rows as they are say that some point hits in this sub-step? About when the first one does. What the sweeps
  * would stop counts, even where the true impact lies a moment later.
@@ -217,21 +245,23 @@ static cairn_unit time_of(cairn_motion part, cairn_motion whole)
 bool cairn_impact_foresee(cairn_impact *i)
 {
     cairn_arbiter *arbiter = i->arbiter;
-    cairn_motion gravity = cairn_impact_pull(i);
-    course now = course_until(i, 0), end = course_of_sweeps(i);
     bool hits = false;
     i->time = CAIRN_UNIT(1.98);
+    if (!any_closes(i)) {
+        return false;
+    }
+    cairn_motion gravity = cairn_impact_pull(i);
+    course now = course_so_far(i), end = course_of_sweeps(i);
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
         cairn_motion u = cairn_impact_row_velocity(i, row), separation = opened(i, row, &now);
-        row->feature &= (uint16_t)~CAIRN_ROW_IN_FLIGHT;
         if (u >= -i->rest) {
-            row->feature |= (uint16_t)cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT);
             continue;
         }
         /* A pair that touched may have come apart by another impact in this step: then it meets only after that. */
         if (row->gap <= 0 && separation > cairn_motion_half(gravity * i->substep)) {
             row->gap = JUST_APART;
+            i->changed = true;
         }
         if (row->gap > 0 && cairn_motion_add(row->gap, opened(i, row, &end)) > CLOSE) {
             forget_row(i, row);

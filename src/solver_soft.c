@@ -269,7 +269,6 @@ static void solve(cairn_world *world)
     for (int k = 0; k < world->substeps; k++) {
         if (world->bounce != NULL) {
             world->bounce->impact(world, k);
-            cairn_sweep_choose_again(world); /* impacts make rows anew */
         }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
