@@ -53,7 +53,7 @@ static bool may_bounce(const cairn_arbiter *arbiter)
 }
 
 /* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
-static bool is_forestalled(cairn_world *world, const cairn_impact *i)
+CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);

@@ -22,7 +22,7 @@ STAGES: dict[str, tuple[str, ...]] = {
               "set_extents"),
     "narrow": ("arbiter.c", "meet.c", "shape_*", "collide_*", "continuous.c", "contact.c"),
     "prepare": ("rows.c",),
-    "sub-steps": ("solver_*", "sweep*", "block*", "bounce.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
+    "sub-steps": ("solver_*", "sweep*", "block*", "bounce*.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
                   "cairn_body_limit_speed"),
     "finish": ("motion.c", "sleep.c"),
 }  # fmt: skip
