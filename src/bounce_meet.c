@@ -198,6 +198,9 @@ static void adopt(cairn_world *world, cairn_impact *i, const course *c, const ca
     }
 }
 
+/* How far turning moves the surface, m at the radius of gyration; a circle's does not move by it. */
+static cairn_offset turning_of(const cairn_body *body) { return cairn_body_is_round(body) ? 0 : size_of(cairn_offset_from_motion(body->w)); }
+
 /*
  * Rows are straight and a turning body's surface is not: a pair that turns while near gets those of where it will be
  * at the end of this sub-step, which also show a corner that was beside the other's face until now.
@@ -205,7 +208,7 @@ static void adopt(cairn_world *world, cairn_impact *i, const course *c, const ca
 void cairn_impact_refresh(cairn_world *world, cairn_impact *i)
 {
     cairn_manifold contact;
-    if (size_of(cairn_offset_from_motion(i->a->w)) + size_of(cairn_offset_from_motion(i->b->w)) < CAIRN_IMPACT_TURNING) {
+    if (turning_of(i->a) + turning_of(i->b) < CAIRN_IMPACT_TURNING) {
         return;
     }
     course end = course_until(i, CAIRN_UNIT(1));
