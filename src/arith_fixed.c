@@ -453,7 +453,7 @@ bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offse
     if (shift < 0 || shift > 11) { return false; }
     frame->inverse = (uint16_t)(cairn_offset_fraction(16384 << shift, length) >> 15);
     frame->shift = (uint8_t)shift;
-    frame->rest = (uint8_t)(20 - shift);
+    frame->rest = (uint8_t)(19 - shift);
     return true;
 }
 

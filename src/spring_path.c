@@ -213,13 +213,14 @@ static cairn_motion demand(const cairn_world *world, cairn_spring *spring, cairn
 }
 
 /* The right sides of a path's equations: D u + B C*. How far its springs turned, at most. */
-static cairn_turn ask(cairn_world *world, uint16_t head)
+static cairn_turn ask(cairn_world *world, uint16_t head, bool again)
 {
     cairn_spring *springs = world->springs->springs;
     cairn_turn most = 0;
     for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
         cairn_turn turned;
-        springs[i].impulse = demand(world, &springs[i], &turned);
+        cairn_motion asked = demand(world, &springs[i], &turned);
+        springs[i].pulled = again ? cairn_spring_ask_more(&springs[i], asked) : asked;
         most = turned > most ? turned : most;
     }
     return most;
@@ -227,7 +228,7 @@ static cairn_turn ask(cairn_world *world, uint16_t head)
 
 cairn_motion cairn_spring_ask_more(const cairn_spring *spring, cairn_motion demand)
 {
-    return cairn_motion_clamp(demand + cairn_motion_share(spring->sum, spring->yield), CAIRN_SPRING_DEMAND);
+    return cairn_motion_clamp(demand - cairn_motion_share(2 * spring->pulled, spring->yield), CAIRN_SPRING_DEMAND);
 }
 
 cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand, cairn_motion before)
@@ -237,14 +238,13 @@ cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand
 }
 
 /* The impulses that satisfy a path's equations: down the path, each from what the one before takes, the last one's being final. */
-static uint16_t eliminate(cairn_spring *springs, uint16_t head, bool again)
+static uint16_t eliminate(cairn_spring *springs, uint16_t head)
 {
     cairn_motion impulse = 0;
     uint16_t last = head;
     for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        cairn_spring *spring = &springs[i];
-        impulse = cairn_spring_answer(spring, again ? cairn_spring_ask_more(spring, spring->impulse) : spring->impulse, impulse);
-        spring->impulse = impulse;
+        impulse = cairn_spring_answer(&springs[i], springs[i].pulled, impulse);
+        springs[i].pulled = impulse;
         last = i;
     }
     return last;
@@ -264,8 +264,8 @@ static void apply(cairn_world *world, uint16_t head, uint16_t last)
     for (uint16_t i = last;; i = springs[i].previous) {
         cairn_spring *spring = &springs[i];
         cairn_motion behind = cairn_motion_clamp(cairn_motion_factor(impulse, spring->behind), CAIRN_SPRING_IMPULSE);
-        impulse = cairn_motion_clamp(spring->impulse - behind, CAIRN_SPRING_IMPULSE);
-        spring->sum = impulse;
+        impulse = cairn_motion_clamp(spring->pulled - behind, CAIRN_SPRING_IMPULSE);
+        spring->pulled = cairn_motion_half(-impulse);
         push(world, spring->b, cairn_motion_share(impulse, spring->share_b), spring, spring->lever_b);
         push(world, spring->a, -cairn_motion_share(impulse, spring->share_a), spring, spring->lever_a);
         if (i == head) {
@@ -277,9 +277,9 @@ static void apply(cairn_world *world, uint16_t head, uint16_t last)
 void cairn_path_solve(cairn_world *world, uint16_t head, bool again)
 {
     cairn_spring *springs = world->springs->springs;
-    springs[head].turned += ask(world, head);
+    springs[head].turned += ask(world, head, again);
     if (springs[head].turned > STALE) {
         cairn_path_factorise(world, head);
     }
-    apply(world, head, eliminate(springs, head, again));
+    apply(world, head, eliminate(springs, head));
 }

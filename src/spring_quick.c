@@ -4,15 +4,15 @@
  * what they moved by, with no root and no division. When one spring has left its frame all of the path get new ones, and the path
  * new factors.
  *
- * The solution is that of spring_path.c, with what depends on directions only multiplied beforehand: half the impulse of a
- * spring is -(pull C* + drag u + take (that of the one before)), less give (that of the one behind). It is one half because that is what
- * each of two bodies of one mass gets, and because a gain is then below 1.
+ * The solution is that of spring_path.c, with what depends on directions only multiplied beforehand: half of what a spring pulls with,
+ * the impulse's opposite, is pull C* + drag u, less take (that of the one before), less give (that of the one behind). It is one half because
+ * that is what each of two bodies of one mass gets, and because a gain is then below 1.
  */
 #include "spring_solve.h"
 
 /* Springs that are stretched by more are solved with care, m: what a gain is multiplied by stays below 4. */
-#define STRETCH_MAX CAIRN_MOTION(3)
-/* Half of an impulse for which the gains serve: every sum of products is then below 8. */
+#define STRETCH_MAX CAIRN_STRETCH(3)
+/* Half a pull for which the gains serve: every sum of products is then below 8. */
 #define HALF_MAX CAIRN_MOTION(1)
 /* A body slower than this is shifted without a look at the limits. */
 #define SLOW CAIRN_MOTION(0.5)
@@ -70,13 +70,13 @@ static bool make_frame(const cairn_world *world, cairn_spring *spring)
         return false;
     }
     spring->frame = frame;
-    spring->elongation = cairn_motion_from_offset(length - spring->rest_length);
+    spring->elongation = cairn_stretch_from_offset(length - spring->rest_length);
     spring->direction_x = frame.x;
     spring->direction_y = frame.y;
     if (cairn_dir_turn(from_x, from_y, frame.x, frame.y) < CAIRN_SPRING_FAST) {
-        spring->swing = cairn_frame_swing(&frame, from_x, from_y);
+        spring->swing = (cairn_swing)cairn_frame_tilt(&frame, from_x, from_y);
     }
-    return cairn_motion_clamp(spring->elongation, STRETCH_MAX) == spring->elongation;
+    return cairn_stretch_clamp(spring->elongation, STRETCH_MAX) == spring->elongation;
 }
 
 /* Where the step began, as seen from where the frame was made; false if that is too far. */
@@ -98,7 +98,7 @@ static bool make_gains(cairn_spring *spring)
         spring->pull = cairn_gain_times_half(cairn_gain_from_wide(spring->position_gain), spring->inverse_pivot);
         spring->drag = cairn_gain_times_half(cairn_gain_from_share(spring->velocity_gain), spring->inverse_pivot);
     }
-    spring->take = cairn_ratio_from_factor(mild ? take : 0);
+    spring->take = cairn_part_from_factor(mild ? take : 0);
     bool fits = spring->behind <= CAIRN_FACTOR(1.99) && -spring->behind <= CAIRN_FACTOR(1.99);
     spring->give = cairn_ratio_from_factor(fits ? spring->behind : 0);
     return fits;
@@ -138,7 +138,7 @@ bool cairn_path_follow(cairn_world *world, uint16_t head)
         cairn_spring *spring = &springs[i];
         const cairn_body *b = &world->bodies[spring->b];
         holds = follow(spring, a, b) && holds;
-        spring->lag = cairn_spring_is_taut(spring, spring->rest_length + cairn_offset_from_motion(spring->elongation)) ? CAIRN_LAG_NONE : CAIRN_LAG_QUARTER;
+        spring->lag = cairn_frame_is_passed(&spring->frame, 2 * spring->pulled) ? CAIRN_LAG_NONE : CAIRN_LAG_QUARTER;
         a = b;
     }
     return holds || renew(world, head);
@@ -146,59 +146,74 @@ bool cairn_path_follow(cairn_world *world, uint16_t head)
 
 /* ---- the sub-step ---- */
 
-/* Half of the impulse, whatever the gains and the springs are. */
-static cairn_motion half_with_care(const cairn_world *world, const cairn_spring *spring, cairn_motion elongation, cairn_motion half, bool again)
+/* Half of the pull, whatever the gains and the springs are. */
+static cairn_motion half_with_care(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_stretch elongation, cairn_motion half,
+                                   bool again)
 {
-    cairn_motion u = cairn_spring_speed(spring, &world->bodies[spring->a], &world->bodies[spring->b]);
-    cairn_motion demand = cairn_motion_clamp(cairn_motion_scale(elongation, spring->position_gain), CAIRN_SPRING_DEMAND);
-    demand = cairn_motion_clamp(demand + cairn_motion_share(u, spring->velocity_gain), CAIRN_SPRING_DEMAND);
+    cairn_motion demand = cairn_motion_scale(cairn_motion_from_stretch(elongation), spring->position_gain);
+    demand = cairn_motion_clamp(cairn_motion_clamp(demand, CAIRN_SPRING_DEMAND) + cairn_motion_share(cairn_spring_speed(spring, a, b), spring->velocity_gain),
+                                CAIRN_SPRING_DEMAND);
     if (again) {
         demand = cairn_spring_ask_more(spring, demand);
     }
-    return cairn_motion_half(cairn_spring_answer(spring, demand, 2 * half));
+    return cairn_motion_half(-cairn_spring_answer(spring, demand, -2 * half));
+}
+
+/* Whether the frames of a path will do for this sub-step. */
+static bool frames_hold(const cairn_world *world, const cairn_spring *spring)
+{
+    for (;; spring = &world->springs->springs[spring->next]) {
+        place from = way_of(&world->bodies[spring->a]), to = way_of(&world->bodies[spring->b]);
+        if (!cairn_frame_holds(&spring->frame, cairn_motion_apart(from.x, to.x, spring->origin_x), cairn_motion_apart(from.y, to.y, spring->origin_y))) {
+            return false;
+        }
+        if (spring->next == CAIRN_NONE) {
+            return true;
+        }
+    }
 }
 
 /*
- * Down the path: where each spring will be, which way it pushes, and its impulse without what is behind it. The path's last spring, or
- * CAIRN_NONE if a spring has left its frame: *outside.
+ * Down the path: where each spring will be, which way it pushes, and what it pulls with but for what is behind it. The path's last spring, or
+ * null if one has left its frame: *outside.
  */
-static uint16_t descend(cairn_world *world, uint16_t head, bool again, uint16_t *outside)
+static cairn_spring *descend(const cairn_world *world, cairn_spring *first, bool again, const cairn_spring **outside)
 {
     cairn_spring *springs = world->springs->springs;
-    const cairn_body *a = &world->bodies[springs[head].a];
+    const cairn_body *bodies = world->bodies, *a = &bodies[first->a];
     place from = way_of(a);
-    cairn_motion half = 0;
-    uint16_t last = head;
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        cairn_spring *spring = &springs[i];
-        const cairn_body *b = &world->bodies[spring->b];
+    cairn_motion half = 0, most = again ? 0 : HALF_MAX;
+    for (cairn_spring *spring = first;; spring = &springs[spring->next]) {
+        const cairn_body *b = &bodies[spring->b];
         place to = way_of(b);
         cairn_motion x = cairn_motion_apart(from.x, to.x, spring->origin_x), y = cairn_motion_apart(from.y, to.y, spring->origin_y);
         if (!cairn_frame_holds(&spring->frame, x, y)) {
-            *outside = i;
-            return CAIRN_NONE;
+            *outside = spring;
+            return NULL;
         }
-        cairn_swing swing, was = spring->swing;
-        cairn_motion elongation = spring->elongation + cairn_frame_stretch(&spring->frame, x, y, &swing), before = half;
-        spring->swung = was;
-        spring->swing = swing;
-        swing = cairn_swing_towards(was, swing, spring->lag);
-        cairn_dir push_x = cairn_frame_x(&spring->frame, swing), push_y = cairn_frame_y(&spring->frame, swing);
+        cairn_tilt tilt, was = spring->swing;
+        cairn_stretch elongation = spring->elongation + cairn_frame_stretch(&spring->frame, x, y, &tilt);
+        cairn_motion before = half;
+        spring->swung = (cairn_swing)was;
+        spring->swing = (cairn_swing)tilt;
+        tilt = cairn_tilt_towards(was, tilt, spring->lag);
+        cairn_dir push_x = cairn_frame_x(&spring->frame, tilt), push_y = cairn_frame_y(&spring->frame, tilt);
         spring->direction_x = push_x;
         spring->direction_y = push_y;
-        half = -cairn_motion_gain(elongation, spring->pull) - cairn_motion_ratio(half, spring->take);
+        half = cairn_motion_gain(elongation, spring->pull) - cairn_motion_part(half, spring->take);
         if (!cairn_gain_is_zero(spring->drag)) {
-            half -= cairn_motion_gain(cairn_motion_along(b->vx - a->vx, b->vy - a->vy, push_x, push_y), spring->drag);
+            half += cairn_motion_gain(cairn_stretch_along(b->vx - a->vx, b->vy - a->vy, push_x, push_y), spring->drag);
         }
-        if (again || cairn_gain_is_zero(spring->pull) || !cairn_size_is_below(cairn_size_of(half), HALF_MAX)) {
-            half = half_with_care(world, spring, elongation, before, again);
+        if (cairn_gain_is_zero(spring->pull) || !cairn_size_is_below(cairn_size_of(half), most)) {
+            half = half_with_care(spring, a, b, elongation, before, again);
         }
-        spring->impulse = half;
-        last = i;
+        spring->pulled = half;
+        if (spring->next == CAIRN_NONE) {
+            return spring;
+        }
         a = b;
         from = to;
     }
-    return last;
 }
 
 static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
@@ -215,50 +230,54 @@ static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
 }
 
 /* Back up the path: what is behind a spring counts too. Each body gets the pushes of both of its springs at once. */
-static void ascend(cairn_world *world, uint16_t head, uint16_t last)
+static void ascend(const cairn_world *world, const cairn_spring *first, cairn_spring *last)
 {
     cairn_spring *springs = world->springs->springs;
+    cairn_body *bodies = world->bodies;
     cairn_motion half = 0;
     place behind;
     behind.x = behind.y = 0;
-    for (uint16_t i = last;; i = springs[i].previous) {
-        cairn_spring *spring = &springs[i];
-        half = cairn_motion_clamp(spring->impulse - cairn_motion_ratio(half, spring->give), CAIRN_SPRING_IMPULSE / 2);
-        spring->sum = 2 * half;
-        place push;
-        push.x = cairn_motion_dir(half, spring->direction_x);
-        push.y = cairn_motion_dir(half, spring->direction_y);
+    for (cairn_spring *spring = last;; spring = &springs[spring->previous]) {
+        half = cairn_motion_clamp(spring->pulled - cairn_motion_ratio(half, spring->give), CAIRN_SPRING_IMPULSE / 2);
+        spring->pulled = half;
+        place pull;
+        pull.x = cairn_motion_dir(half, spring->direction_x);
+        pull.y = cairn_motion_dir(half, spring->direction_y);
         if (spring->share_b == CAIRN_SHARE(0.5)) {
-            shift(&world->bodies[spring->b], push.x - behind.x, push.y - behind.y);
-            behind = push;
+            shift(&bodies[spring->b], behind.x - pull.x, behind.y - pull.y);
+            behind = pull;
         } else {
-            shift(&world->bodies[spring->b], cairn_motion_share(2 * push.x, spring->share_b) - behind.x,
-                  cairn_motion_share(2 * push.y, spring->share_b) - behind.y);
-            behind.x = cairn_motion_share(2 * push.x, spring->share_a);
-            behind.y = cairn_motion_share(2 * push.y, spring->share_a);
+            shift(&bodies[spring->b], behind.x - cairn_motion_share(2 * pull.x, spring->share_b),
+                  behind.y - cairn_motion_share(2 * pull.y, spring->share_b));
+            behind.x = cairn_motion_share(2 * pull.x, spring->share_a);
+            behind.y = cairn_motion_share(2 * pull.y, spring->share_a);
         }
-        if (i == head) {
+        if (spring == first) {
             break;
         }
     }
-    shift(&world->bodies[springs[head].a], -behind.x, -behind.y);
+    if (first->share_a != 0) {
+        shift(&bodies[first->a], behind.x, behind.y);
+    }
 }
 
+/* A path that is left half way down forgets what it pulled with, which another sweep has to know. */
 void cairn_path_solve_quickly(cairn_world *world, uint16_t head, bool again)
 {
-    cairn_spring *springs = world->springs->springs;
-    uint16_t outside, last = descend(world, head, again, &outside);
-    if (last == CAIRN_NONE) {
-        for (uint16_t i = head; i != outside; i = springs[i].next) {
-            springs[i].swing = springs[i].swung;
-        }
-        if (renew(world, head)) {
-            last = descend(world, head, again, &outside);
-        }
+    cairn_spring *springs = world->springs->springs, *first = &springs[head], *last = NULL;
+    const cairn_spring *outside = first;
+    if (!again || frames_hold(world, first)) {
+        last = descend(world, first, again, &outside);
     }
-    if (last == CAIRN_NONE) {
+    if (last == NULL) {
+        for (cairn_spring *spring = first; spring != outside; spring = &springs[spring->next]) {
+            spring->swing = spring->swung;
+        }
+        last = renew(world, head) ? descend(world, first, again, &outside) : NULL;
+    }
+    if (last == NULL) {
         cairn_path_solve(world, head, again);
     } else {
-        ascend(world, head, last);
+        ascend(world, first, last);
     }
 }

@@ -77,7 +77,7 @@ cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const c
 static inline bool cairn_spring_is_taut(const cairn_spring *spring, cairn_offset length)
 {
     cairn_motion most = cairn_motion_64th(length);
-    return spring->sum > most || -spring->sum > most;
+    return 2 * spring->pulled > most || -2 * spring->pulled > most;
 }
 
 /* ---- spring_map.c ---- */
@@ -99,7 +99,7 @@ void cairn_path_solve(cairn_world *world, uint16_t head, bool again);
 /* No impulse of a path is above this, no demand above CAIRN_DEMAND_MAX, m per sub-step: with factors of at most 1 no sum wraps. */
 #define CAIRN_SPRING_IMPULSE CAIRN_MOTION(3.5)
 #define CAIRN_SPRING_DEMAND CAIRN_MOTION(4)
-/* A demand with what a spring yields to the impulse that the sweep before gave it. As B + D + yield is 1, the sum is no greater than the greatest of the three. */
+/* A demand with what a spring yields to the pull of the sweep before. As B + D + yield is 1, the sum is no greater than the greatest of the three. */
 cairn_motion cairn_spring_ask_more(const cairn_spring *spring, cairn_motion demand);
 /* The impulse that meets a demand, after the one that the spring before on the path takes. */
 cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand, cairn_motion before);

@@ -173,7 +173,8 @@ typedef struct cairn_frame {
     cairn_dir x, y;
     double inverse, limit;
 } cairn_frame;
-typedef double cairn_swing;
+typedef double cairn_tilt, cairn_swing, cairn_stretch, cairn_part;
+#define CAIRN_STRETCH(x) ((double)(x))
 static inline bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length)
 {
     int exponent;
@@ -186,18 +187,19 @@ static inline bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit 
 }
 static inline bool cairn_frame_holds(const cairn_frame *frame, cairn_motion x, cairn_motion y) { return fabs(x) < frame->limit && fabs(y) < frame->limit; }
 static inline bool cairn_frame_holds_well(const cairn_frame *frame, cairn_real x, cairn_real y) { return cairn_frame_holds(frame, 2 * x, 2 * y); }
-static inline cairn_motion cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_swing *swing)
+static inline cairn_stretch cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_tilt *tilt)
 {
     double across = y * frame->x - x * frame->y;
-    *swing = across * frame->inverse;
-    return x * frame->x + y * frame->y + across * *swing / 2;
+    *tilt = across * frame->inverse;
+    return x * frame->x + y * frame->y + across * *tilt / 2;
 }
-static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_swing swing) { return frame->x - swing * frame->y; }
-static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_swing swing) { return frame->y + swing * frame->x; }
-static inline cairn_swing cairn_frame_swing(const cairn_frame *frame, cairn_dir x, cairn_dir y) { return frame->x * y - frame->y * x; }
+static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_tilt tilt) { return frame->x - tilt * frame->y; }
+static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_tilt tilt) { return frame->y + tilt * frame->x; }
+static inline cairn_tilt cairn_frame_tilt(const cairn_frame *frame, cairn_dir x, cairn_dir y) { return frame->x * y - frame->y * x; }
+static inline bool cairn_frame_is_passed(const cairn_frame *frame, cairn_motion x) { return fabs(x) >= frame->limit / 2; }
 #define CAIRN_LAG_NONE 0
 #define CAIRN_LAG_QUARTER 2
-static inline cairn_swing cairn_swing_towards(cairn_swing from, cairn_swing to, uint8_t lag) { return lag == CAIRN_LAG_NONE ? to : from + (to - from) / 4; }
+static inline cairn_tilt cairn_tilt_towards(cairn_tilt from, cairn_tilt to, uint8_t lag) { return lag == CAIRN_LAG_NONE ? to : from + (to - from) / 4; }
 static inline cairn_unit cairn_dir_cosine(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return ax * bx + ay * by; }
 typedef double cairn_turn;
 #define CAIRN_TURN(x) ((cairn_turn)(x))
@@ -252,7 +254,13 @@ static inline cairn_gain cairn_gain_from_share(cairn_share s) { return s; }
 static inline cairn_gain cairn_gain_times_half(cairn_gain k, cairn_factor f) { return k * f / 2; }
 static inline cairn_gain cairn_gain_zero(void) { return 0; }
 static inline bool cairn_gain_is_zero(cairn_gain k) { return k == 0; }
-static inline cairn_motion cairn_motion_gain(cairn_motion x, cairn_gain k) { return x * k; }
+static inline cairn_motion cairn_motion_gain(cairn_stretch x, cairn_gain k) { return x * k; }
+static inline cairn_stretch cairn_stretch_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+static inline cairn_motion cairn_motion_from_stretch(cairn_stretch x) { return x; }
+static inline cairn_stretch cairn_stretch_from_offset(cairn_offset x) { return cairn_clamp(x, 4); }
+static inline cairn_stretch cairn_stretch_clamp(cairn_stretch x, cairn_stretch limit) { return cairn_clamp(x, limit); }
+static inline cairn_part cairn_part_from_factor(cairn_factor f) { return f; }
+static inline cairn_motion cairn_motion_part(cairn_motion x, cairn_part f) { return x * f; }
 static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x / 64; }
 
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }

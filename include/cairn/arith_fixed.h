@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD or _CLZ;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD or _CLZ;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -61,6 +61,9 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #ifndef CAIRN_PORT_MUL16
 #define CAIRN_PORT_MUL16(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
 #endif
+#ifndef CAIRN_PORT_MUL16_DOWN
+#define CAIRN_PORT_MUL16_DOWN(a, b) ((int32_t)(((int64_t)(a) * (b)) >> 16))
+#endif
 #ifndef CAIRN_PORT_MUL32
 #define CAIRN_PORT_MUL32(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
 #endif
@@ -101,6 +104,9 @@ static inline int cairn_clz_plain(uint32_t x)
 
 /* a * b / 2^shift; b in 16 bits, 1 <= shift <= 16. The result must fit. */
 static inline int32_t cairn_mul16(int32_t a, int32_t b, int shift) { return CAIRN_PORT_MUL16(a, b, shift); }
+
+/* a * b / 2^16, rounded down; b in 16 bits with its sign. */
+static inline int32_t cairn_mul16_down(int32_t a, int32_t b) { return CAIRN_PORT_MUL16_DOWN(a, b); }
 
 /* a * b / 2^shift, 1 <= shift <= 32. The result must fit. */
 static inline int32_t cairn_mul32(int32_t a, int32_t b, int shift) { return CAIRN_PORT_MUL32(a, b, shift); }
@@ -371,10 +377,14 @@ static inline cairn_motion cairn_motion_apart(cairn_motion from, cairn_motion to
 typedef struct cairn_frame {
     cairn_dir x, y;
     uint16_t inverse;    /* of L / 2^(shift - 7), which is in [1/2, 1): Q14 */
-    uint8_t shift, rest; /* rest: 20 - shift */
+    uint8_t shift, rest; /* rest: 19 - shift */
 } cairn_frame;
-/* A small angle from a frame's direction, rad, Q19 in 16 bits. */
+/* A small angle from a frame's direction, rad, Q19; and as it is kept, in 16 bits. */
+typedef int32_t cairn_tilt;
 typedef int16_t cairn_swing;
+/* By how much a vector is longer than another, m, Q3.29. */
+typedef int32_t cairn_stretch;
+#define CAIRN_STRETCH(x) ((cairn_stretch)CAIRN_ROUND(x, 536870912.0))
 
 /* From the unit vector and the length; false if that is not in [2^-8 m, 16 m). */
 bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length);
@@ -392,25 +402,27 @@ static inline bool cairn_frame_holds_well(const cairn_frame *frame, cairn_real x
  * By how much the vector is longer than the frame's when it has changed by (x, y), for which the frame holds, and its angle. With s
  * along the frame and t across it: s + t^2 / 2L, up to L times an eighth of the angle's fourth power, a part in 10^7 for a 32nd.
  */
-static inline cairn_motion cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_swing *swing)
+static inline cairn_stretch cairn_frame_stretch(const cairn_frame *frame, cairn_motion x, cairn_motion y, cairn_tilt *tilt)
 {
     int32_t across = ((y >> frame->shift) * frame->x - (x >> frame->shift) * frame->y) >> 14; /* at most 46341 */
     int32_t angle = (across * frame->inverse) >> 16;
-    *swing = (cairn_swing)angle;
-    return cairn_dot16(x, frame->x, y, frame->y, 14) + ((across * angle) >> frame->rest);
+    *tilt = angle;
+    return cairn_dot16(x, frame->x, y, frame->y, 13) + ((across * angle) >> frame->rest);
 }
 /* The direction at a small angle from the frame's; longer than 1 by half the angle's square. */
-static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_swing swing) { return (cairn_dir)(frame->x - ((swing * frame->y + 262144) >> 19)); }
-static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_swing swing) { return (cairn_dir)(frame->y + ((swing * frame->x + 262144) >> 19)); }
+static inline cairn_dir cairn_frame_x(const cairn_frame *frame, cairn_tilt tilt) { return (cairn_dir)(frame->x - ((tilt * frame->y + 262144) >> 19)); }
+static inline cairn_dir cairn_frame_y(const cairn_frame *frame, cairn_tilt tilt) { return (cairn_dir)(frame->y + ((tilt * frame->x + 262144) >> 19)); }
 /* The small angle of another direction, of which it is the sine. */
-static inline cairn_swing cairn_frame_swing(const cairn_frame *frame, cairn_dir x, cairn_dir y)
+static inline cairn_tilt cairn_frame_tilt(const cairn_frame *frame, cairn_dir x, cairn_dir y)
 {
-    return (cairn_swing)cairn_clamp((frame->x * y - frame->y * x) >> 9, INT16_MAX);
+    return cairn_clamp((frame->x * y - frame->y * x) >> 9, INT16_MAX);
 }
+/* Whether a motion is as long as the length over 64 to 128. */
+static inline bool cairn_frame_is_passed(const cairn_frame *frame, cairn_motion x) { return (uint32_t)(x ^ (x >> 31)) >> (frame->shift + 14) != 0; }
 /* The whole way, or a quarter of it. */
 #define CAIRN_LAG_NONE 0
 #define CAIRN_LAG_QUARTER 2
-static inline cairn_swing cairn_swing_towards(cairn_swing from, cairn_swing to, uint8_t lag) { return (cairn_swing)(from + ((to - from) >> lag)); }
+static inline cairn_tilt cairn_tilt_towards(cairn_tilt from, cairn_tilt to, uint8_t lag) { return from + ((to - from) >> lag); }
 
 /* The cosine of the angle between two directions. */
 static inline cairn_unit cairn_dir_cosine(cairn_dir ax, cairn_dir ay, cairn_dir bx, cairn_dir by) { return (ax * bx + ay * by) * 4; }
@@ -523,8 +535,18 @@ static inline cairn_gain cairn_gain_zero(void)
     return k;
 }
 static inline bool cairn_gain_is_zero(cairn_gain k) { return k.mantissa == 0; }
-/* x times the gain, |x| < 4 m; within 1.1 units and 2^-14 of it. */
-static inline cairn_motion cairn_motion_gain(cairn_motion x, cairn_gain k) { return ((cairn_mul16(x, k.mantissa, 14) >> k.shift) + 1) >> 1; }
+/* x times the gain, rounded down, within two units and 2^-14 of it. */
+static inline cairn_motion cairn_motion_gain(cairn_stretch x, cairn_gain k) { return cairn_mul16_down(x, k.mantissa) >> k.shift; }
+/* x dx + y dy below 4 m as a stretch, a stretch as a motion, and an offset as a stretch, saturating. */
+static inline cairn_stretch cairn_stretch_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return cairn_dot16(x, dx, y, dy, 13); }
+static inline cairn_motion cairn_motion_from_stretch(cairn_stretch x) { return x >> 1; }
+static inline cairn_stretch cairn_stretch_from_offset(cairn_offset x) { return (cairn_stretch)((uint32_t)cairn_clamp(x, 16777215) << 7); }
+static inline cairn_stretch cairn_stretch_clamp(cairn_stretch x, cairn_stretch limit) { return cairn_clamp(x, limit); }
+/* A coefficient of at most 1 in size, Q0.15: what is as great lacks its last bit. */
+typedef int16_t cairn_part;
+static inline cairn_part cairn_part_from_factor(cairn_factor f) { return (cairn_part)cairn_clamp((f + 16) >> 5, INT16_MAX); }
+/* |x| < 4 m; rounded down. */
+static inline cairn_motion cairn_motion_part(cairn_motion x, cairn_part f) { return cairn_mul16_down(2 * x, f); }
 /* A 64th of a length. */
 static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x; }
 

@@ -35,12 +35,13 @@ typedef struct cairn_spring {
     cairn_frame frame;                  /* otherwise x and y alone: in which it lies at the end of the sub-step */
     uint8_t lag;                        /* how far behind that it pushes */
     cairn_dir direction_x, direction_y; /* from a to b, in which it pushes */
-    cairn_gain pull, drag;              /* what an elongation and a speed make of half an impulse; pull is 0: not to be used */
+    cairn_gain pull, drag;              /* what an elongation and a speed make of half a pull; pull is 0: not to be used */
     cairn_swing swing, swung;           /* from the frame to where it lies at the end of this sub-step, and of the one before */
-    cairn_ratio take, give;             /* of half the impulse of the spring before, and of the one behind */
+    cairn_part take;                    /* what it takes of half the pull of the spring before */
+    cairn_ratio give;                   /* and gives to that of the one behind */
     cairn_motion origin_x, origin_y;    /* where the step began, from where the frame was made */
-    cairn_motion elongation;            /* where the frame was made */
-    cairn_motion impulse, sum;          /* of a sweep, and of the sub-step */
+    cairn_stretch elongation;           /* where the frame was made */
+    cairn_motion pulled;                /* half of what it has pulled with; during a sweep what the sweep needs */
     cairn_share share_a, share_b;
     cairn_real frame_x, frame_y;        /* from a to b where the frame was made */
     uint16_t flags, generation;

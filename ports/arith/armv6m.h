@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #define CAIRN_PORT_MUL16(a, b, shift) cairn_armv6m_mul16(a, b, shift)
+#define CAIRN_PORT_MUL16_DOWN(a, b) cairn_armv6m_mul16_down(a, b)
 #define CAIRN_PORT_MUL32(a, b, shift) cairn_armv6m_mul32(a, b, shift)
 #define CAIRN_PORT_DOT16(a, b, c, d, shift) cairn_armv6m_dot16(a, b, c, d, shift)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv6m_dot32(a, b, c, d, shift)
@@ -109,6 +110,9 @@ CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_mul16(int32_t a, int32_t b, int shift)
     uint32_t high = (uint32_t)((a >> 16) * b) << (16 - shift);
     return cairn_armv6m_round(high, cairn_armv6m_low(a) * b, shift);
 }
+
+/* The low half of a times b fits in 31 bits. */
+CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_mul16_down(int32_t a, int32_t b) { return (a >> 16) * b + ((cairn_armv6m_low(a) * b) >> 16); }
 
 /* b and d are at most 2^14 in size, so the sum of the low products still fits. */
 CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_dot16(int32_t a, int32_t b, int32_t c, int32_t d, int shift)

@@ -2,7 +2,7 @@
  * The primitives of arith_fixed.h for Cortex-M3 and up (ARMv7-M, v7E-M, v8-M Mainline): SMULL and SMLAL give the whole
  * product, and a right shift leaves the last bit that fell out in the carry, so one ADC joins the two words and rounds.
  * The DSP extension's SMULWB and SMMUL drop bits below their 16 or 32: they give the right bits for no 14-bit
- * shift; SMMULR does for a shift of 32 and is used where there is one.
+ * shift; SMULWB does where 16 are to be dropped, SMMULR for a shift of 32, and are used where there are.
  * Where the compiler does not make Thumb-2 code the same steps are plain C, so that the host's tests cover them.
  */
 #ifndef CAIRN_ARITH_ARMV7M_H
@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #define CAIRN_PORT_MUL16(a, b, shift) cairn_armv7m_mul32(a, b, shift)
+#define CAIRN_PORT_MUL16_DOWN(a, b) cairn_armv7m_mul16_down(a, b)
 #define CAIRN_PORT_MUL32(a, b, shift) cairn_armv7m_mul32(a, b, shift)
 #define CAIRN_PORT_DOT16(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
@@ -56,6 +57,17 @@ static inline int32_t cairn_armv7m_mul32(int32_t a, int32_t b, int shift)
     }
 #endif
     return cairn_armv7m_narrow((int64_t)a * b, shift);
+}
+
+static inline int32_t cairn_armv7m_mul16_down(int32_t a, int32_t b)
+{
+#if defined(CAIRN_ARMV7M_ASM) && defined(__ARM_FEATURE_DSP)
+    int32_t r;
+    __asm__("smulwb %0, %1, %2" : "=r"(r) : "r"(a), "r"(b));
+    return r;
+#else
+    return (int32_t)(((int64_t)a * b) >> 16);
+#endif
 }
 
 static inline int32_t cairn_armv7m_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)

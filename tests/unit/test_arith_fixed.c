@@ -1110,7 +1110,7 @@ void test_frame_tells_length_and_direction_of_a_vector_that_changed_by_little(vo
     for (int32_t i = 0; i < ROUNDS; i++) {
         cairn_frame frame;
         cairn_unit ux, uy;
-        cairn_swing swing;
+        cairn_tilt swing;
         int32_t x = any() >> (5 + (i & 15)), y = any() >> (5 + (i & 15));
         cairn_offset length = cairn_unit_along(x, y, &ux, &uy);
         if (!cairn_frame_set(&frame, ux, uy, length)) {
@@ -1124,12 +1124,12 @@ void test_frame_tells_length_and_direction_of_a_vector_that_changed_by_little(vo
         dx &= ~63; /* to the last bit of an offset, so that the moved vector is exact */
         dy &= ~63;
         cairn_offset moved = cairn_unit_along(x + dx / 64, y + dy / 64, &ux, &uy);
-        cairn_motion stretch = cairn_frame_stretch(&frame, dx, dy, &swing);
+        cairn_motion stretch = cairn_motion_from_stretch(cairn_frame_stretch(&frame, dx, dy, &swing));
         expect_within(128 + (length >> 10) + (length >> 13), /* s t^2 / 2 L^2, each up to L / 32 */
                        (int64_t)(moved - length) * 64, stretch, x, y);
         expect_within((1 << 16) * 30, ux, cairn_unit_from_dir(cairn_frame_x(&frame, swing)), x, y);
         expect_within((1 << 16) * 30, uy, cairn_unit_from_dir(cairn_frame_y(&frame, swing)), x, y);
-        cairn_swing back = cairn_frame_swing(&frame, cairn_frame_x(&frame, swing), cairn_frame_y(&frame, swing));
+        cairn_tilt back = cairn_frame_tilt(&frame, cairn_frame_x(&frame, swing), cairn_frame_y(&frame, swing));
         expect_within(64, swing, back, x, y);
     }
 }
@@ -1163,9 +1163,9 @@ void test_frame_holds_well_for_half_as_much(void)
 
 void test_swing_follows_by_a_quarter_or_at_once(void)
 {
-    TEST_ASSERT_EQUAL_INT(100, cairn_swing_towards(-20, 100, CAIRN_LAG_NONE));
-    TEST_ASSERT_EQUAL_INT(10, cairn_swing_towards(-20, 100, CAIRN_LAG_QUARTER));
-    TEST_ASSERT_EQUAL_INT(-40, cairn_swing_towards(-40, -40, CAIRN_LAG_QUARTER));
+    TEST_ASSERT_EQUAL_INT(100, cairn_tilt_towards(-20, 100, CAIRN_LAG_NONE));
+    TEST_ASSERT_EQUAL_INT(10, cairn_tilt_towards(-20, 100, CAIRN_LAG_QUARTER));
+    TEST_ASSERT_EQUAL_INT(-40, cairn_tilt_towards(-40, -40, CAIRN_LAG_QUARTER));
 }
 
 void test_turn_is_the_greater_change(void)
@@ -1186,11 +1186,11 @@ void test_gain_keeps_fifteen_bits_of_any_coefficient(void)
         cairn_wide k = cairn_wide_of(some(), 0);
         k.exponent = -32 - (int32_t)(arith_random_bits(&random) >> 28);
         int32_t exact = cairn_motion_scale(x, k);
-        expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_wide(k)), x, (int32_t)k.mantissa);
+        expect_within(3 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(2 * x, cairn_gain_from_wide(k)), x, (int32_t)k.mantissa);
     }
-    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_from_int(0))));
-    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_of(1, -70))));
-    TEST_ASSERT_INT32_WITHIN(CAIRN_MOTION(0.001), CAIRN_MOTION(3), cairn_motion_gain(CAIRN_MOTION(3), cairn_gain_from_wide(cairn_wide_from_int(1))));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_STRETCH(3), cairn_gain_from_wide(cairn_wide_from_int(0))));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_motion_gain(CAIRN_STRETCH(3), cairn_gain_from_wide(cairn_wide_of(1, -70))));
+    TEST_ASSERT_INT32_WITHIN(CAIRN_MOTION(0.001), CAIRN_MOTION(3), cairn_motion_gain(CAIRN_STRETCH(3), cairn_gain_from_wide(cairn_wide_from_int(1))));
     TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_from_wide(cairn_wide_from_int(0))));
     TEST_ASSERT_FALSE(cairn_gain_is_zero(cairn_gain_from_wide(cairn_wide_of(1, -20))));
 }
@@ -1201,13 +1201,38 @@ void test_gain_of_a_share_keeps_fifteen_bits_and_halves_with_a_factor(void)
         int32_t x = any() % CAIRN_MOTION(4), f = CAIRN_FACTOR(1) + (int32_t)((uint32_t)any() % (uint32_t)CAIRN_FACTOR(1));
         cairn_share s = (int32_t)((uint32_t)any() % (uint32_t)CAIRN_SHARE(1)) >> (i & 31);
         cairn_motion exact = cairn_motion_share(x, s);
-        expect_within(2 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(x, cairn_gain_from_share(s)), x, s);
+        expect_within(3 + (int64_t)(size64(exact) >> 14), exact, cairn_motion_gain(2 * x, cairn_gain_from_share(s)), x, s);
         exact = cairn_motion_factor(exact, f / 2);
-        expect_within(2 + (int64_t)(size64(exact) >> 12), exact, cairn_motion_gain(x, cairn_gain_times_half(cairn_gain_from_share(s), f)), x, s);
+        expect_within(3 + (int64_t)(size64(exact) >> 12), exact, cairn_motion_gain(2 * x, cairn_gain_times_half(cairn_gain_from_share(s), f)), x, s);
     }
     TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_from_share(0)));
     TEST_ASSERT_TRUE(cairn_gain_is_zero(cairn_gain_zero()));
     TEST_ASSERT_EQUAL_INT(32767, cairn_gain_from_share(CAIRN_SHARE(1)).mantissa);
+}
+
+void test_part_and_product_rounded_down(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t a = any(), b = any() >> 16;
+        expect((int32_t)(((int64_t)a * b - (((int64_t)a * b) & 65535)) / 65536), cairn_mul16_down(a, b), a, b);
+        cairn_factor f = any() % CAIRN_FACTOR(1);
+        expect_within(2 + CAIRN_MOTION(4) / 32768, cairn_motion_factor(a % CAIRN_MOTION(4), f), cairn_motion_part(a % CAIRN_MOTION(4), cairn_part_from_factor(f)), a, f);
+    }
+    TEST_ASSERT_EQUAL_INT(32767, cairn_part_from_factor(CAIRN_FACTOR(1)));
+    TEST_ASSERT_EQUAL_INT(-32767, cairn_part_from_factor(-CAIRN_FACTOR(1)));
+    TEST_ASSERT_EQUAL_INT32(CAIRN_STRETCH(-2), cairn_stretch_from_offset(CAIRN_OFFSET(-2)));
+    TEST_ASSERT_TRUE(cairn_stretch_from_offset(INT32_MAX) > CAIRN_STRETCH(3.9));
+    TEST_ASSERT_INT32_WITHIN(1, CAIRN_STRETCH(1.5), cairn_stretch_along(CAIRN_MOTION(3), CAIRN_MOTION(1), 8192, 0));
+}
+
+void test_frame_is_passed_by_a_64th_of_its_length(void)
+{
+    cairn_frame frame;
+    TEST_ASSERT_TRUE(cairn_frame_set(&frame, CAIRN_UNIT(1), 0, CAIRN_OFFSET(1)));
+    TEST_ASSERT_TRUE(cairn_frame_is_passed(&frame, CAIRN_MOTION(1.0 / 64)));
+    TEST_ASSERT_TRUE(cairn_frame_is_passed(&frame, -CAIRN_MOTION(1.0 / 64) - 1));
+    TEST_ASSERT_FALSE(cairn_frame_is_passed(&frame, CAIRN_MOTION(1.0 / 64) - 1));
+    TEST_ASSERT_FALSE(cairn_frame_is_passed(&frame, 0));
 }
 
 /* Where bodies will be, as the way between them from where a frame was made, wherever in the world. */
