@@ -171,7 +171,7 @@ void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *
     }
 }
 
-static void place(cairn_body *body, cairn_vec2 position, cairn_angle angle)
+static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cairn_angle angle)
 {
     cairn_offset cx, cy;
     body->angle = angle;
@@ -184,6 +184,7 @@ static void place(cairn_body *body, cairn_vec2 position, cairn_angle angle)
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
     cairn_body_refresh_extents(body);
+    world->placed = true;
 }
 
 /* After a change of where a body is or of whom it meets. */
@@ -232,7 +233,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
     }
     body->flags = CAIRN_BODY_USED;
     take_model(world, body, model, &mass);
-    place(body, position, angle);
+    place(world, body, position, angle);
     disturb(world, body);
     return cairn_body_id_of(world, body);
 }
@@ -253,6 +254,7 @@ cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
     body->generation = (uint16_t)(body->generation == UINT16_MAX ? 1 : body->generation + 1);
     cairn_body_set_link(body, world->body_free);
     world->body_free = index;
+    world->placed = true;
     world->stats.bodies--;
     return CAIRN_OK;
 }
@@ -288,7 +290,7 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
     }
     cairn_arbiters_remove_body(world, (uint16_t)(id.index - 1));
     cairn_body_wake_up(world, body);
-    place(body, position, angle);
+    place(world, body, position, angle);
     disturb(world, body);
     return CAIRN_OK;
 }

@@ -1,7 +1,9 @@
 /*
- * The quadtree, in place of broad_pairs.c. Each step it is rebuilt and searched in one walk: a cell that holds many
- * bodies is split, a leaf's bodies are held against one another. Coordinates are cairn_real; only comparisons,
- * additions and halvings are needed.
+ * The quadtree, in place of broad_pairs.c. A cell that holds many bodies is split, a leaf's bodies are held against one another.
+ * Coordinates are cairn_real; only comparisons, additions and halvings are needed.
+ *
+ * Bodies lie in the tree by boxes that are wider than they need at the time, and it serves until one of them leaves its own. Which of these boxes
+ * overlap is known as long, so that a step looks only at the bodies of such pairs, and enters no cell that has none.
  *
  * Cells at the border reach to infinity, since a body's place is decided by the centre lines alone: bodies outside of
  * the bounds need no care. A pair that meets in several leaves is reported in the one that holds the lower left corner
@@ -11,19 +13,44 @@
 
 #define LEAF_LENGTH 8 /* a leaf of so many bodies is not worth a split: the quickest of 4 to 14 on a Cortex-M0 but for a few per cent */
 
-typedef struct bounds {
-    cairn_real left, right, bottom, top;
-} bounds;
+/* The centre of the box in which the tree has a body: the same for as long as it is in it. */
+static inline cairn_real center_x(const cairn_world *world, uint16_t body) { return cairn_spot_real(world->tree->boxes[body].x, world->bodies[body].x); }
+static inline cairn_real center_y(const cairn_world *world, uint16_t body) { return cairn_spot_real(world->tree->boxes[body].y, world->bodies[body].y); }
 
-static bounds bounds_of(const cairn_body *body)
+/* ---- boxes for several steps ---- */
+
+/* Room for sixteen steps as it moves now and an eighth of its size, but for no more than all of that. */
+static cairn_extent wider(cairn_extent extent, cairn_real way)
 {
-    bounds box;
-    cairn_real x = cairn_real_from_extent(body->extent_x), y = cairn_real_from_extent(body->extent_y);
-    box.left = body->x - x;
-    box.right = body->x + x;
-    box.bottom = body->y - y;
-    box.top = body->y + y;
-    return box;
+    cairn_real half = cairn_real_from_extent(extent), more = 16 * way + half / 8;
+    return cairn_extent_above(half + (more < half ? more : half) + CAIRN_F(1.0 / 128));
+}
+
+static void set_box(const cairn_body *body, cairn_quadtree_box *box)
+{
+    cairn_real way = cairn_body_way(body);
+    bool stays = (body->flags & CAIRN_STATIC) != 0;
+    box->x = cairn_spot_of(body->x);
+    box->y = cairn_spot_of(body->y);
+    box->extent_x = stays ? cairn_extent_above(cairn_real_from_extent(body->extent_x) + CAIRN_F(1.0 / 256)) : wider(body->extent_x, way);
+    box->extent_y = stays ? cairn_extent_above(cairn_real_from_extent(body->extent_y) + CAIRN_F(1.0 / 256)) : wider(body->extent_y, way);
+}
+
+static inline bool is_in(const cairn_body *body, const cairn_quadtree_box *box)
+{
+    return body->extent_x + cairn_spot_way(box->x, body->x) <= box->extent_x && body->extent_y + cairn_spot_way(box->y, body->y) <= box->extent_y;
+}
+
+static bool all_are_in(const cairn_world *world)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    const cairn_quadtree_box *box = world->tree->boxes;
+    for (const cairn_body *body = world->bodies; body != end; body++, box++) {
+        if ((body->flags & CAIRN_BODY_USED) && !is_in(body, box)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* ---- building ---- */
@@ -39,7 +66,7 @@ static void empty(cairn_quadtree_cell *cell)
 {
     cell->child = 0;
     cell->first = CAIRN_NONE;
-    cell->count = 0;
+    cell->count = cell->heads = 0;
 }
 
 /* All bodies into the root, the first of the pool in front. There are at least as many entries as bodies. */
@@ -57,11 +84,13 @@ static void fill_root(const cairn_world *world, cairn_quadtree *tree)
 }
 
 /* The quadrants that a body's box meets, as bits. */
-static unsigned quadrants_of(const cairn_body *body, cairn_real x, cairn_real y)
+static unsigned quadrants_of(const cairn_world *world, uint16_t body, cairn_real x, cairn_real y)
 {
-    bounds box = bounds_of(body);
-    unsigned columns = (box.left < x ? 5u : 0u) | (box.right >= x ? 10u : 0u);
-    unsigned rows = (box.bottom < y ? 3u : 0u) | (box.top >= y ? 12u : 0u);
+    const cairn_quadtree_box *box = &world->tree->boxes[body];
+    cairn_real right = center_x(world, body) - x, up = center_y(world, body) - y;
+    cairn_real half_x = cairn_real_from_extent(box->extent_x), half_y = cairn_real_from_extent(box->extent_y);
+    unsigned columns = (right < half_x ? 5u : 0u) | (right >= -half_x ? 10u : 0u);
+    unsigned rows = (up < half_y ? 3u : 0u) | (up >= -half_y ? 12u : 0u);
     return columns & rows;
 }
 
@@ -88,11 +117,12 @@ static void sort(const cairn_world *world, cairn_quadtree *tree, const cairn_qua
     }
     while (entry != CAIRN_NONE) {
         uint16_t next = tree->entries[entry].next;
-        const cairn_body *body = &world->bodies[tree->entries[entry].body];
-        unsigned quadrants = quadrants_of(body, x, y);
+        uint16_t body = tree->entries[entry].body;
+        const cairn_quadtree_box *box = &tree->boxes[body];
+        unsigned quadrants = quadrants_of(world, body, x, y);
         push(tree, &s->list[quadrant_home[quadrants]], entry);
         s->needed += quadrant_count[quadrants];
-        s->small += cairn_real_from_extent(body->extent_x) <= eighth && cairn_real_from_extent(body->extent_y) <= eighth ? 1u : 0u;
+        s->small += cairn_real_from_extent(box->extent_x) <= eighth && cairn_real_from_extent(box->extent_y) <= eighth ? 1u : 0u;
         entry = next;
     }
 }
@@ -140,7 +170,7 @@ static void split(const cairn_world *world, cairn_quadtree *tree, const cairn_qu
     }
     while (entry != CAIRN_NONE) {
         uint16_t next = tree->entries[entry].next;
-        spread(tree, children, quadrants_of(&world->bodies[tree->entries[entry].body], place->x + half, place->y + half), entry);
+        spread(tree, children, quadrants_of(world, tree->entries[entry].body, place->x + half, place->y + half), entry);
         entry = next;
     }
     tree->cells[place->cell].child = tree->cell_end;
@@ -173,27 +203,98 @@ CAIRN_APART void refine(cairn_world *world, cairn_quadtree *tree, const cairn_qu
 
 /* ---- pairs ---- */
 
-/* The larger of the two lower bounds lies in the last cell that both bodies reach; is it this one? */
-static bool is_last(cairn_real a, cairn_real b, cairn_real cell, cairn_real root)
+/* Does a body's box begin in this column, or row, of cells? */
+static inline bool begins_right_of(const cairn_world *world, uint16_t body, cairn_real x)
 {
-    return a >= cell || b >= cell || cell <= root;
+    return center_x(world, body) - cairn_real_from_extent(world->tree->boxes[body].extent_x) >= x;
+}
+static inline bool begins_above(const cairn_world *world, uint16_t body, cairn_real y)
+{
+    return center_y(world, body) - cairn_real_from_extent(world->tree->boxes[body].extent_y) >= y;
 }
 
-CAIRN_APART bool reports(const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_body *a, const cairn_body *b)
+/* The larger of two lower bounds lies in the last cell that both bodies reach; is it this one? Of boxes as the tree has them, since these say who is where. */
+CAIRN_APART bool reports(const cairn_world *world, const cairn_quadtree_place *place, uint16_t a, uint16_t b)
 {
-    bounds box_a = bounds_of(a), box_b = bounds_of(b);
-    return is_last(box_a.left, box_b.left, place->x, tree->x) && is_last(box_a.bottom, box_b.bottom, place->y, tree->y);
+    return (place->x <= world->tree->x || begins_right_of(world, a, place->x) || begins_right_of(world, b, place->x))
+        && (place->y <= world->tree->y || begins_above(world, a, place->y) || begins_above(world, b, place->y));
+}
+
+static inline bool are_near(const cairn_world *world, uint16_t a, uint16_t b)
+{
+    const cairn_quadtree_box *box_a = &world->tree->boxes[a], *box_b = &world->tree->boxes[b];
+    return cairn_spots_are_near(box_a->x, box_b->x, box_a->extent_x, box_b->extent_x)
+        && cairn_spots_are_near(box_a->y, box_b->y, box_a->extent_y, box_b->extent_y)
+        && !(world->bodies[a].flags & world->bodies[b].flags & CAIRN_STATIC);
+}
+
+static bool is_near_one_behind(const cairn_world *world, const cairn_quadtree_entry *entry)
+{
+    for (uint16_t other = entry->next; other != CAIRN_NONE; other = world->tree->entries[other].next) {
+        if (are_near(world, entry->body, world->tree->entries[other].body)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Those of a leaf that are near one behind them come to the front, in their order. */
+CAIRN_APART void find_heads(const cairn_world *world, cairn_quadtree_cell *leaf)
+{
+    cairn_quadtree_entry *entries = world->tree->entries;
+    uint16_t rest = CAIRN_NONE, *last = &leaf->first, *last_of_rest = &rest;
+    leaf->heads = 0;
+    for (uint16_t entry = leaf->first; entry != CAIRN_NONE; entry = entries[entry].next) {
+        if (is_near_one_behind(world, &entries[entry])) {
+            *last = entry;
+            last = &entries[entry].next;
+            leaf->heads++;
+        } else {
+            *last_of_rest = entry;
+            last_of_rest = &entries[entry].next;
+        }
+    }
+    *last_of_rest = CAIRN_NONE;
+    *last = rest;
+}
+
+/* Split what is to be split, and mark the cells that hold bodies near one another. */
+CAIRN_APART void rebuild(cairn_world *world)
+{
+    cairn_quadtree *tree = world->tree;
+    cairn_quadtree_walk walk;
+    world->stats.tree_full = 0;
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        set_box(&world->bodies[i], &tree->boxes[i]);
+    }
+    fill_root(world, tree);
+    cairn_quadtree_walk_start(tree, &walk);
+    do {
+        cairn_quadtree_cell *cell = &tree->cells[walk.place.cell];
+        refine(world, tree, &walk);
+        if (cell->child != 0) {
+            cell->heads = 0;
+            continue;
+        }
+        find_heads(world, cell);
+        for (int depth = walk.depth; cell->heads != 0 && depth > 0; depth--) {
+            tree->cells[walk.path[depth - 1]].heads = 1;
+        }
+    } while (cairn_quadtree_walk_next(tree, &walk));
+    world->stats.tree_cells = tree->cell_end;
+    world->stats.tree_entries = tree->entry_end;
 }
 
 /* One body against those behind it in the leaf. */
-static void pair_with_rest(cairn_world *world, const cairn_quadtree *tree, const cairn_quadtree_place *place, const cairn_quadtree_entry *entry)
+static void pair_with_rest(cairn_world *world, const cairn_quadtree_place *place, const cairn_quadtree_entry *entry)
 {
+    const cairn_quadtree_entry *entries = world->tree->entries;
     const cairn_body *a = &world->bodies[entry->body];
     bool idle = !cairn_body_is_active(a);
-    for (uint16_t other = entry->next; other != CAIRN_NONE; other = tree->entries[other].next) {
-        uint16_t index = tree->entries[other].body;
+    for (uint16_t other = entry->next; other != CAIRN_NONE; other = entries[other].next) {
+        uint16_t index = entries[other].body;
         const cairn_body *b = &world->bodies[index];
-        if (cairn_boxes_are_near(a, b, 0) && !(idle && !cairn_body_is_active(b)) && reports(tree, place, a, b)) {
+        if (cairn_boxes_are_near(a, b, 0) && !(idle && !cairn_body_is_active(b)) && reports(world, place, entry->body, index)) {
             cairn_arbiter_pair(world, entry->body, index);
         }
     }
@@ -203,20 +304,25 @@ static void find_pairs(cairn_world *world)
 {
     cairn_quadtree *tree = world->tree;
     cairn_quadtree_walk walk;
-    world->stats.tree_full = 0;
-    fill_root(world, tree);
+    bool more = true;
+    if (world->placed || !all_are_in(world)) {
+        rebuild(world);
+        world->placed = false;
+    }
     cairn_quadtree_walk_start(tree, &walk);
-    do {
-        const cairn_quadtree_place *place = &walk.place;
-        refine(world, tree, &walk);
-        if (tree->cells[place->cell].child == 0) {
-            for (uint16_t entry = tree->cells[place->cell].first; entry != CAIRN_NONE; entry = tree->entries[entry].next) {
-                pair_with_rest(world, tree, place, &tree->entries[entry]);
-            }
+    while (more) {
+        const cairn_quadtree_cell *cell = &tree->cells[walk.place.cell];
+        if (cell->child != 0 && cell->heads != 0) {
+            more = cairn_quadtree_walk_next(tree, &walk);
+            continue;
         }
-    } while (cairn_quadtree_walk_next(tree, &walk));
-    world->stats.tree_cells = tree->cell_end;
-    world->stats.tree_entries = tree->entry_end;
+        uint16_t entry = cell->first;
+        for (uint16_t left = cell->child != 0 ? 0 : cell->heads; left > 0; left--) {
+            pair_with_rest(world, &walk.place, &tree->entries[entry]);
+            entry = tree->entries[entry].next;
+        }
+        more = cairn_quadtree_walk_over(tree, &walk);
+    }
 }
 
 static const cairn_broad_class quadtree_class = { find_pairs };
@@ -225,7 +331,7 @@ static const cairn_broad_class quadtree_class = { find_pairs };
 
 static cairn_status check(const cairn_world *world, const cairn_quadtree_storage *storage, cairn_vec2 center, int size_log2, int depth)
 {
-    if (storage == NULL || storage->tree == NULL || storage->cells == NULL || storage->entries == NULL) {
+    if (storage == NULL || storage->tree == NULL || storage->boxes == NULL || storage->cells == NULL || storage->entries == NULL) {
         return CAIRN_ERROR_NULL;
     }
     if (world->locked) {
@@ -235,7 +341,8 @@ static cairn_status check(const cairn_world *world, const cairn_quadtree_storage
         || -center.x > CAIRN_WORLD_EDGE || center.y > CAIRN_WORLD_EDGE || -center.y > CAIRN_WORLD_EDGE) {
         return CAIRN_ERROR_RANGE;
     }
-    return storage->cell_capacity == 0 || storage->entry_capacity < world->body_capacity ? CAIRN_ERROR_FULL : CAIRN_OK;
+    bool fits = storage->cell_capacity != 0 && storage->box_capacity >= world->body_capacity && storage->entry_capacity >= world->body_capacity;
+    return fits ? CAIRN_OK : CAIRN_ERROR_FULL;
 }
 
 cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_storage *storage, cairn_vec2 center, int size_log2, int depth)
@@ -250,6 +357,7 @@ cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_stor
     cairn_quadtree *tree = storage->tree;
     cairn_real half = cairn_real_half(cairn_real_from_int((int32_t)1 << size_log2));
     memset(tree, 0, sizeof *tree);
+    tree->boxes = storage->boxes;
     tree->cells = storage->cells;
     tree->entries = storage->entries;
     tree->cell_capacity = storage->cell_capacity;
@@ -262,5 +370,6 @@ cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_stor
     fill_root(world, tree);
     world->tree = tree;
     world->broad = &quadtree_class;
+    world->placed = true;
     return CAIRN_OK;
 }

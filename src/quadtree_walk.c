@@ -39,6 +39,11 @@ bool cairn_quadtree_walk_next(const cairn_quadtree *tree, cairn_quadtree_walk *w
         enter(tree, walk, child, 0);
         return true;
     }
+    return cairn_quadtree_walk_over(tree, walk);
+}
+
+bool cairn_quadtree_walk_over(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
+{
     while (walk->depth > 0) {
         uint16_t cell = walk->path[walk->depth];
         leave(walk);

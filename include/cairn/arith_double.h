@@ -24,6 +24,7 @@ typedef double cairn_push;
 typedef double cairn_area;
 typedef uint8_t cairn_carry;
 typedef double cairn_extent;
+typedef double cairn_spot;
 typedef double cairn_packed;
 typedef uint16_t cairn_residue; /* nothing lies below a double's last bit */
 
@@ -142,6 +143,10 @@ static inline bool cairn_angle_is_in_sector(cairn_angle a, cairn_angle b) { retu
 static inline cairn_real cairn_real_sector(cairn_real radius) { return radius / 512; }
 static inline bool cairn_angle_is_in_wide_sector(cairn_angle a, cairn_angle b) { return floor(a * (32 / CAIRN_PI)) == floor(b * (32 / CAIRN_PI)); }
 static inline cairn_real cairn_real_wide_sector(cairn_real radius) { return radius * 13 / 128; }
+static inline cairn_spot cairn_spot_of(cairn_real x) { return x; }
+static inline cairn_real cairn_spot_real(cairn_spot spot, cairn_real x) { (void)x; return spot; }
+static inline cairn_extent cairn_spot_way(cairn_spot spot, cairn_real x) { return fabs(x - spot); }
+static inline bool cairn_spots_are_near(cairn_spot a, cairn_spot b, cairn_extent half_a, cairn_extent half_b) { return fabs(a - b) <= half_a + half_b; }
 static inline cairn_real cairn_real_above_motion(cairn_motion x) { return x; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return x; }
 static inline cairn_offset cairn_offset_mul(cairn_offset a, cairn_unit u) { return a * u; }

@@ -28,6 +28,7 @@ typedef int64_t cairn_area; /* Q20.44: products of two offsets, exact; set-up on
 typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.43: half a unit of Q4.28 at most */
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
 typedef uint16_t cairn_extent;  /* half the size of a box, rounded up to 1/256 m */
+typedef uint16_t cairn_spot;    /* a coordinate in steps of 1/256 m, without the multiples of 256 m */
 typedef uint32_t cairn_packed;  /* the mantissa in the upper 24 bits, the exponent in the lower 8; zero is 0 */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
@@ -328,6 +329,25 @@ static inline cairn_real cairn_real_sector(cairn_real radius) { return (radius >
 /* The same of 64 sectors; radius < 512 m */
 static inline bool cairn_angle_is_in_wide_sector(cairn_angle a, cairn_angle b) { return ((uint32_t)a ^ (uint32_t)b) >> 26 == 0; }
 static inline cairn_real cairn_real_wide_sector(cairn_real radius) { return (radius * 13 >> 7) + 1; }
+/* The coordinate that a spot stands for, for one less than 127 m away; and how far that one has come from there at most, at least a step. */
+static inline cairn_spot cairn_spot_of(cairn_real x) { return (cairn_spot)((uint32_t)x >> 8); }
+static inline int32_t cairn_spot_offset(cairn_spot spot, cairn_real x)
+{
+    uint32_t by = ((uint32_t)x >> 8) - spot;
+    return (int32_t)(by << 16) >> 16;
+}
+static inline cairn_real cairn_spot_real(cairn_spot spot, cairn_real x) { return (x >> 8) * 256 - cairn_spot_offset(spot, x) * 256; }
+static inline cairn_extent cairn_spot_way(cairn_spot spot, cairn_real x)
+{
+    int32_t by = cairn_spot_offset(spot, x);
+    return (cairn_extent)((by < 0 ? -by : by) + 1);
+}
+/* Are two spots within the sum of two extents? Far apart, beyond 128 m, it may say so wrongly. */
+static inline bool cairn_spots_are_near(cairn_spot a, cairn_spot b, cairn_extent half_a, cairn_extent half_b)
+{
+    int32_t apart = (int32_t)(((uint32_t)a - b) << 16) >> 16;
+    return (apart < 0 ? -apart : apart) <= (int32_t)half_a + half_b;
+}
 /* The next API number that is not below x. */
 static inline cairn_real cairn_real_above_motion(cairn_motion x) { return (x + 4095) >> 12; }
 static inline cairn_real cairn_real_above_offset(cairn_offset x) { return (x >> 6) + 1; }

@@ -101,6 +101,7 @@ typedef struct cairn_world {
     uint16_t fast; /* bodies in this step */
     bool driven;    /* the game has set a velocity since the last step */
     bool held_back; /* a body is driven against another one that it touches */
+    bool placed;    /* a body was put somewhere, or taken out, since pairs were searched for */
     bool coasted;   /* what takes no part in the sub-steps has moved by all of the step */
     int8_t error;
     uint8_t blocks; /* of this step: the highest number */

@@ -9,7 +9,7 @@ enum { BODIES = 40, ARBITERS = 80, CALLS = 200 };
 
 CAIRN_WORLD(memory, BODIES, ARBITERS);
 CAIRN_SPRINGS(spring_memory, 4);
-CAIRN_QUADTREE(tree_memory, 64, 256);
+CAIRN_QUADTREE(tree_memory, 64, 64, 256);
 
 #define V(x, y) cairn_vec2_of(CAIRN_F(x), CAIRN_F(y))
 #define ERROR 3.1e-5

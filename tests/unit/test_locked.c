@@ -5,7 +5,7 @@ static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape peg = CAIRN_CIRCLE(CAIRN_F(0.1));
 CAIRN_SPRINGS(coils, 2);
 CAIRN_SPRINGS(more_coils, 2);
-CAIRN_QUADTREE(tree, 16, 64);
+CAIRN_QUADTREE(tree, 16, 16, 64);
 CAIRN_BLOCKS(blocks);
 
 static cairn_body_id body, other;

@@ -17,7 +17,7 @@ enum { STEPS = 400, BODIES = 64, ARBITERS = 400, CELLS = 1025, ENTRIES = 1024 };
 
 CAIRN_WORLD(memory, BODIES, ARBITERS);
 CAIRN_WORLD(other_memory, BODIES, ARBITERS);
-CAIRN_QUADTREE(tree_memory, CELLS, ENTRIES);
+CAIRN_QUADTREE(tree_memory, BODIES, CELLS, ENTRIES);
 
 static cairn_shape shapes[BODIES];
 
@@ -319,6 +319,12 @@ void test_bad_arguments_are_refused_and_leave_the_search_as_it_was(void)
     storage = tree_memory;
     storage.cell_capacity = 0;
     TEST_ASSERT_EQUAL(CAIRN_ERROR_FULL, cairn_quadtree_enable(world, &storage, origin, 4, 4));
+    storage = tree_memory;
+    storage.box_capacity = BODIES - 1;
+    TEST_ASSERT_EQUAL(CAIRN_ERROR_FULL, cairn_quadtree_enable(world, &storage, origin, 4, 4));
+    storage = tree_memory;
+    storage.boxes = NULL;
+    TEST_ASSERT_EQUAL(CAIRN_ERROR_NULL, cairn_quadtree_enable(world, &storage, origin, 4, 4));
     storage = tree_memory;
     storage.entry_capacity = BODIES - 1;
     TEST_ASSERT_EQUAL(CAIRN_ERROR_FULL, cairn_quadtree_enable(world, &storage, origin, 4, 4));

@@ -3,7 +3,7 @@
 # include "../support/yard.h"
 
 CAIRN_SPRINGS(coils, 2);
-CAIRN_QUADTREE(tree, 16, 64);
+CAIRN_QUADTREE(tree, 16, 16, 64);
 
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape ground = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1));

@@ -134,7 +134,7 @@ static bool has_memory(const shim_world *w)
 {
     return w->storage.world != NULL && w->storage.bodies != NULL && w->storage.arbiters != NULL && w->storage.order != NULL && w->storage.sorted != NULL
         && w->springs.pool != NULL && w->springs.springs != NULL && w->tree.tree != NULL && w->tree.cells != NULL
-        && w->tree.entries != NULL && w->meshes.mesh != NULL && w->meshes.parts != NULL && w->meshes.nodes != NULL
+        && w->tree.boxes != NULL && w->tree.entries != NULL && w->meshes.mesh != NULL && w->meshes.parts != NULL && w->meshes.nodes != NULL
         && w->meshes.rows != NULL && w->meshes.links != NULL && w->meshes.entries != NULL;
 }
 
@@ -160,6 +160,8 @@ shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double
     w->springs.springs = calloc((size_t)springs + 1, sizeof(cairn_spring));
     w->springs.capacity = (uint16_t)springs;
     w->tree.tree = calloc(1, sizeof(cairn_quadtree));
+    w->tree.boxes = calloc((size_t)bodies, sizeof(cairn_quadtree_box));
+    w->tree.box_capacity = (uint16_t)bodies;
     w->tree.cells = calloc((size_t)cells + 1, sizeof(cairn_quadtree_cell));
     w->tree.entries = calloc((size_t)entries + 1, sizeof(cairn_quadtree_entry));
     w->tree.cell_capacity = (uint16_t)cells;
@@ -200,6 +202,7 @@ void shim_destroy(shim_world *w)
     free(w->meshes.links);
     free(w->meshes.entries);
     free(w->tree.tree);
+    free(w->tree.boxes);
     free(w->tree.cells);
     free(w->tree.entries);
     forget(&w->shapes);

@@ -33,8 +33,8 @@ static int run(const cairn_scene *scene, const runner_options *options)
         room(1, sizeof(cairn_spring_pool)), room(scene->spring_count, sizeof(cairn_spring)), scene->spring_count,
     };
     const cairn_quadtree_storage tree = {
-        room(1, sizeof(cairn_quadtree)), room(cells, sizeof(cairn_quadtree_cell)), room(entries, sizeof(cairn_quadtree_entry)),
-        cells, entries,
+        room(1, sizeof(cairn_quadtree)), room(scene->body_count, sizeof(cairn_quadtree_box)), room(cells, sizeof(cairn_quadtree_cell)), room(entries, sizeof(cairn_quadtree_entry)),
+        scene->body_count, cells, entries,
     };
     cairn_block *blocks = runner_is_uneven(scene) ? room(1, sizeof *blocks) : NULL;
     const cairn_scene_storage storage = {&world, &springs, &tree, blocks};

@@ -178,7 +178,7 @@ static void memory(const cairn_scene *scene, const char *name)
         printf("CAIRN_SPRINGS(world_springs, %u);\n", scene->spring_count);
     }
     if (tree) {
-        printf("CAIRN_QUADTREE(world_quadtree, %u, %u);\n", runner_cells(scene), runner_entries(scene));
+        printf("CAIRN_QUADTREE(world_quadtree, %u, %u, %u);\n", scene->body_count, runner_cells(scene), runner_entries(scene));
     }
     if (blocks) {
         printf("CAIRN_BLOCKS(world_blocks);\n");
