@@ -45,8 +45,9 @@ def test_the_sizes_of_types_are_those_that_the_image_tells(image: Path) -> None:
     assert pools["world_world"] == types["cairn_world"]
     assert pools["world_arbiters"] % types["cairn_arbiter"] == 0
     assert pools["world_quadtree_tree"] == types["cairn_quadtree"]
-    # CAIRN_WORLD's six and CAIRN_QUADTREE's three, without the two constants that tell where they lie.
-    assert len(pools) == 8
+    assert pools["world_quadtree_boxes"] == bodies * types["cairn_quadtree_box"]
+    # CAIRN_WORLD's six and CAIRN_QUADTREE's four, without the two constants that tell where they lie.
+    assert len(pools) == 9
 
 
 def test_an_image_without_the_engine_tells_no_sizes(image: Path, monkeypatch: pytest.MonkeyPatch) -> None:
