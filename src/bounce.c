@@ -9,21 +9,54 @@
 /* At most half of CAIRN_IMPACT_TURNING. */
 #define CALM CAIRN_MOTION(0.0004)
 
-static void mix(cairn_impact *i, const cairn_world *world)
+/* What the pairs of one sub-step share. */
+typedef struct phase {
+    int substep;
+    cairn_motion gravity;  /* what it adds to a speed in a sub-step, at most */
+    cairn_motion calm;     /* slower bodies have no impact */
+    cairn_real threshold;  /* the last one that was asked for, and what it is here: */
+    cairn_motion rest;
+} phase;
+
+static cairn_motion size_of(cairn_motion x) { return x < 0 ? -x : x; }
+
+/*
+ * A calm pair has no part of a velocity, and no spin, above a ninth of what gravity adds in a sub-step: what closes by less than all of that rests, and
+ * |u| is at most 2 sqrt(2) times the greatest part of either velocity and of either spin, 8.5 of them in all.
+ */
+static phase phase_of(const cairn_world *world, int substep)
+{
+    phase p;
+    p.substep = substep;
+    p.gravity = p.rest = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
+    p.calm = cairn_motion_ratio(p.gravity, CAIRN_RATIO(1.0 / 9));
+    p.calm = p.calm < CALM ? p.calm : CALM;
+    p.threshold = 0;
+    return p;
+}
+
+/* What closes slower does not rebound: the threshold, or what gravity gives in a sub-step. */
+static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real threshold)
+{
+    if (threshold != p->threshold) { /* few games have more than one */
+        cairn_motion rest = cairn_motion_from_real(threshold, world->substep);
+        p->threshold = threshold;
+        p->rest = rest > p->gravity ? rest : p->gravity;
+    }
+    return p->rest;
+}
+
+static void mix(cairn_impact *i, const cairn_world *world, phase *p)
 {
     const cairn_material *a = i->a->model->material, *b = i->b->model->material;
     cairn_real threshold = a->bounce == NULL ? b->threshold : b->bounce == NULL || a->threshold < b->threshold ? a->threshold : b->threshold;
     i->restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
-    i->rest = cairn_motion_from_real(threshold, world->substep);
+    i->rest = rest_at(world, p, threshold);
 }
-
-static cairn_motion size_of(cairn_motion x) { return x < 0 ? -x : x; }
 
 /* What gravity does to the pair. No sum of a step's can wrap: g k / 2 of at most 15 sub-steps stays below 4 m, and g k below 8. */
 static void weigh(cairn_impact *i, const cairn_world *world)
 {
-    cairn_motion g = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
-    i->rest = g > i->rest ? g : i->rest;
     i->gx = i->gy = 0;
     if (!cairn_body_is_dynamic(i->a) && !(i->b->flags & CAIRN_BODY_FIXED_POSITION)) {
         cairn_factor scale = cairn_factor_from_real(i->b->model->gravity_scale);
@@ -32,7 +65,7 @@ static void weigh(cairn_impact *i, const cairn_world *world)
     }
 }
 
-static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, int substep)
+static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, phase *p)
 {
     cairn_impact i;
     i.arbiter = arbiter;
@@ -41,65 +74,25 @@ static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, 
     i.px = i.py = 0;
     i.x = i.y = 0;
     i.adopted = i.changed = false;
-    i.substep = substep;
-    mix(&i, world);
+    i.substep = p->substep;
+    mix(&i, world, p);
     weigh(&i, world);
     return i;
+}
+
+/* The sweeps' way of a contact whose rows may be others now. */
+static void choose_path(cairn_world *world, const cairn_impact *i)
+{
+    cairn_arbiter *arbiter = i->arbiter;
+    if (i->changed) {
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
+        world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
+    }
 }
 
 static bool may_bounce(const cairn_arbiter *arbiter)
 {
     return (arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY);
-}
-
-/* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
-CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i)
-{
-    for (uint16_t place = 0; place < world->arbiter_count; place++) {
-        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        bool shared = b == i->b || b == i->a || (a == i->a && cairn_body_is_dynamic(a)) || a == i->b;
-        if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
-            cairn_impact other = impact_of(world, arbiter, i->substep);
-            if (cairn_impact_foresee(&other) && other.time < i->time) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-/* Looks for an impact of the two in this sub-step, and solves it; true if there is one, or will be after another one. */
-static bool collide(cairn_world *world, cairn_arbiter *arbiter, int substep, bool waits)
-{
-    cairn_impact i = impact_of(world, arbiter, substep);
-    bool hits = false;
-    cairn_impact_refresh(world, &i);
-    if (cairn_impact_foresee(&i)) {
-        bool first = !waits || !is_forestalled(world, &i);
-        hits = !first || cairn_impact_meet(world, &i);
-        if (first && hits) {
-            cairn_impact_rebound(world, &i);
-        }
-    }
-    if (i.adopted) {
-        cairn_impact_hand_back(&i);
-    }
-    if (i.changed) {
-        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
-        world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
-    }
-    return hits;
-}
-
-/*
- * A pair that moves so slowly has no impact: |u| is at most 2 sqrt(2) times the greatest part of either velocity, and of either spin, 8.5 of them in all,
- * and what closes by less than gravity adds in a sub-step rests.
- */
-static cairn_motion calm_speed(const cairn_world *world)
-{
-    cairn_motion calm = cairn_motion_ratio(cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole)), CAIRN_RATIO(1.0 / 9));
-    return calm < CALM ? calm : CALM;
 }
 
 static bool is_calm(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion calm)
@@ -110,9 +103,49 @@ static bool is_calm(const cairn_world *world, const cairn_arbiter *arbiter, cair
     return cairn_size_is_below(size, calm) && !((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT);
 }
 
+/* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
+CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i, phase *p)
+{
+    for (uint16_t place = 0; place < world->arbiter_count; place++) {
+        cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+        bool shared = b == i->b || b == i->a || (a == i->a && cairn_body_is_dynamic(a)) || a == i->b;
+        if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
+            cairn_impact other = impact_of(world, arbiter, p);
+            bool hits = cairn_impact_foresee(&other);
+            choose_path(world, &other);
+            if (hits && other.time < i->time) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Looks for an impact of the two in this sub-step, and solves it; true if there is one, or will be after another one. */
+static bool collide(cairn_world *world, cairn_arbiter *arbiter, phase *p, bool waits)
+{
+    cairn_impact i = impact_of(world, arbiter, p);
+    bool hits = false;
+    cairn_impact_refresh(world, &i);
+    if (cairn_impact_foresee(&i)) {
+        bool first = !waits || !is_forestalled(world, &i, p);
+        hits = !first || cairn_impact_meet(world, &i);
+        if (first && hits) {
+            cairn_impact_rebound(world, &i);
+        }
+    }
+    if (i.adopted) {
+        cairn_impact_hand_back(&i);
+    }
+    choose_path(world, &i);
+    return hits;
+}
+
 static void impact_phase(cairn_world *world, int substep)
 {
-    cairn_motion calm = calm_speed(world);
+    phase p = phase_of(world, substep);
+    const cairn_motion calm = p.calm;
     bool any = true;
     for (int pass = 0; pass < PASSES && any; pass++) {
         any = false;
@@ -120,7 +153,7 @@ static void impact_phase(cairn_world *world, int substep)
             uint16_t at = (uint16_t)(pass & 1 ? world->arbiter_count - 1 - place : place);
             cairn_arbiter *arbiter = cairn_arbiter_at(world, at);
             if (may_bounce(arbiter) && !is_calm(world, arbiter, calm)) {
-                any = collide(world, arbiter, substep, pass < PASSES / 2) || any;
+                any = collide(world, arbiter, &p, pass < PASSES / 2) || any;
             }
         }
     }

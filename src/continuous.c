@@ -119,25 +119,26 @@ static cairn_offset least_radius(const cairn_body *a, const cairn_body *b)
  * Two surfaces side by side, as the tiles of a floor, have corners between them that are no obstacle to what slides over
  * them. But before that is over the second one, the axis that separates the two most is the direction in which it slides.
  * So look on along the way: as long as the overlap is no more than what is slid over, the contact is the one seen later.
- * a and b are the poses at the time of the contact, (x, y) the way of b against a from then on, which takes `span` of a step.
+ * a and b are the poses at the time of the contact (b is moved), (x, y) the way of b against a from then on, which takes `span` of a step.
  */
-static void look_beyond(const cairn_pose *a, const cairn_pose *b, cairn_offset x, cairn_offset y, cairn_unit span, cairn_offset margin,
+static void look_beyond(const cairn_pose *a, cairn_pose *b, cairn_offset x, cairn_offset y, cairn_unit span, cairn_offset margin,
                         cairn_manifold *out)
 {
-    cairn_manifold then = *out;
+    cairn_manifold then;
+    cairn_offset from_x = b->x, from_y = b->y, separation = out->separation;
     cairn_unit time = 0;
     cairn_offset opposed = -cairn_offset_dot(x, y, out->normal_x, out->normal_y), closing = opposed;
     for (int i = 0; i < LOOKS && closing > CREEP && time != CAIRN_UNIT(1); i++) {
-        cairn_unit part = time_for(then.separation + 2 * GRAZE, closing), rest = CAIRN_UNIT(1) - time;
+        cairn_unit part = time_for(separation + 2 * GRAZE, closing), rest = CAIRN_UNIT(1) - time;
         time += part < rest ? part : rest;
-        cairn_pose pose = *b;
-        pose.x += cairn_offset_mul(x, time);
-        pose.y += cairn_offset_mul(y, time);
+        b->x = from_x + cairn_offset_mul(x, time);
+        b->y = from_y + cairn_offset_mul(y, time);
         expect_nothing(&then);
-        cairn_poses_collide(a, &pose, margin, &then);
+        cairn_poses_collide(a, b, margin, &then);
         if (then.count == 0 || then.separation < -GRAZE) {
             return;
         }
+        separation = then.separation;
         closing = -cairn_offset_dot(x, y, then.normal_x, then.normal_y);
         if (closing < opposed - opposed / 4) {
             cairn_unit later = cairn_offset_mul(span, time), met = out->time;

@@ -372,6 +372,47 @@ void test_a_slipping_impact_takes_friction_times_the_normal_impulse(void)
 }
 
 /* A spinning ball meets one at rest head on: friction takes as much spin from the one as it gives to the other. */
+/* What is round looks the same however it turns. */
+void test_smooth_balls_that_spin_rebound_as_if_they_did_not(void)
+{
+    cairn_vec2 velocities[2];
+    for (int spins = 0; spins < 2; spins++) {
+        open_yard(0);
+        yard_def def = def_at(&ball, 0, 0);
+        def.material = &elastic;
+        def.velocity = at(CAIRN_F(6), 0);
+        def.angular_velocity = spins ? CAIRN_F(30) : 0;
+        make(&def);
+        def.position = at(CAIRN_F(2), CAIRN_F(0.6));
+        def.velocity = at(CAIRN_F(-2), 0);
+        cairn_body_id other = make(&def);
+        run(30);
+        velocities[spins] = cairn_body_velocity(world, other);
+    }
+    TEST_ASSERT_TRUE(velocities[0].x > CAIRN_F(1));
+    TEST_ASSERT_TRUE(velocities[1].x == velocities[0].x && velocities[1].y == velocities[0].y);
+}
+
+/* Each has its own threshold: what is asked for one pair is not another one's. */
+void test_balls_of_two_thresholds_keep_to_their_own(void)
+{
+    static const cairn_material lively = CAIRN_MATERIAL_BOUNCING(0, 0, 1, 0.2), lazy = CAIRN_MATERIAL_BOUNCING(0, 0, 1, 3);
+    static const cairn_material floor_of = CAIRN_MATERIAL(0, 0);
+    cairn_body_id ids[4];
+    yard_def def = def_at(&ground, 0, CAIRN_F(-0.5));
+    def.type = CAIRN_STATIC;
+    def.material = &floor_of;
+    make(&def);
+    for (int i = 0; i < 4; i++) {
+        ids[i] = put_of(&ball, i & 1 ? &lazy : &lively, CAIRN_F(2) * i, CAIRN_F(0.7)); /* falls 0.2 m: 2 m/s */
+    }
+    run(120);
+    for (int i = 0; i < 4; i++) {
+        cairn_real v = vy_of(ids[i]), top = y_of(ids[i]) - CAIRN_F(0.5) + cairn_real_mul(v, v) / 20;
+        ASSERT_NEAR(0.005, i & 1 ? 0 : 0.2, top);
+    }
+}
+
 void test_friction_between_two_balls_turns_both_alike(void)
 {
     open_yard(0);
