@@ -159,7 +159,7 @@ void cairn_path_factorise(cairn_world *world, uint16_t head)
             pivot -= cairn_factor_mul(spring->before, previous->behind);
         }
         pivot = pivot < PIVOT_MIN ? PIVOT_MIN : pivot;
-        spring->inverse_pivot = cairn_factor_reciprocal(pivot);
+        spring->inverse_pivot = pivot > CAIRN_FACTOR(0.5) ? cairn_factor_from_ratio(cairn_factor_inverse(pivot)) : cairn_factor_reciprocal(pivot);
         spring->behind = 0;
         if (spring->next != CAIRN_NONE) {
             const cairn_spring *next = &pool->springs[spring->next];

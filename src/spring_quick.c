@@ -92,13 +92,14 @@ static inline bool follow(cairn_spring *spring, const cairn_body *a, const cairn
 static bool make_gains(cairn_spring *spring)
 {
     cairn_factor take = cairn_factor_mul(spring->before, spring->inverse_pivot);
-    bool mild = spring->inverse_pivot <= CAIRN_FACTOR(2) && take <= CAIRN_FACTOR(1) && -take <= CAIRN_FACTOR(1);
+    bool mild = spring->inverse_pivot <= CAIRN_FACTOR(1.9999) && take <= CAIRN_FACTOR(1) && -take <= CAIRN_FACTOR(1);
     spring->pull = spring->drag = cairn_gain_zero();
     if (mild) {
         spring->pull = cairn_gain_times_half(cairn_gain_from_wide(spring->position_gain), spring->inverse_pivot);
         spring->drag = cairn_gain_times_half(cairn_gain_from_share(spring->velocity_gain), spring->inverse_pivot);
     }
     spring->take = cairn_part_from_factor(mild ? take : 0);
+    spring->keep = cairn_ratio_from_factor(mild ? cairn_factor_mul(cairn_factor_from_share(spring->yield), spring->inverse_pivot) : 0);
     bool fits = spring->behind <= CAIRN_FACTOR(1.99) && -spring->behind <= CAIRN_FACTOR(1.99);
     spring->give = cairn_ratio_from_factor(fits ? spring->behind : 0);
     return fits;
@@ -182,7 +183,7 @@ static cairn_spring *descend(const cairn_world *world, cairn_spring *first, bool
     cairn_spring *springs = world->springs->springs;
     const cairn_body *bodies = world->bodies, *a = &bodies[first->a];
     place from = way_of(a);
-    cairn_motion half = 0, most = again ? 0 : HALF_MAX;
+    cairn_motion half = 0;
     for (cairn_spring *spring = first;; spring = &springs[spring->next]) {
         const cairn_body *b = &bodies[spring->b];
         place to = way_of(b);
@@ -204,7 +205,10 @@ static cairn_spring *descend(const cairn_world *world, cairn_spring *first, bool
         if (!cairn_gain_is_zero(spring->drag)) {
             half += cairn_motion_gain(cairn_stretch_along(b->vx - a->vx, b->vy - a->vy, push_x, push_y), spring->drag);
         }
-        if (cairn_gain_is_zero(spring->pull) || !cairn_size_is_below(cairn_size_of(half), most)) {
+        if (again) {
+            half -= cairn_motion_ratio(spring->pulled, spring->keep);
+        }
+        if (cairn_gain_is_zero(spring->pull) || !cairn_size_is_below(cairn_size_of(half), HALF_MAX)) {
             half = half_with_care(spring, a, b, elongation, before, again);
         }
         spring->pulled = half;

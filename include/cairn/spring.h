@@ -38,7 +38,7 @@ typedef struct cairn_spring {
     cairn_gain pull, drag;              /* what an elongation and a speed make of half a pull; pull is 0: not to be used */
     cairn_swing swing, swung;           /* from the frame to where it lies at the end of this sub-step, and of the one before */
     cairn_part take;                    /* what it takes of half the pull of the spring before */
-    cairn_ratio give;                   /* and gives to that of the one behind */
+    cairn_ratio give, keep;             /* of half the pull of the one behind, and of its own in the sweep before */
     cairn_motion origin_x, origin_y;    /* where the step began, from where the frame was made */
     cairn_stretch elongation;           /* where the frame was made */
     cairn_motion pulled;                /* half of what it has pulled with; during a sweep what the sweep needs */
