@@ -205,12 +205,13 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
     cairn_motion apart = straight(&by, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(8 * by.y, -8 * by.x, arbiter->normal_x, arbiter->normal_y)
                         + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    bool doubtful = false, near = arbiter->friction_impulse != 0;
+    bool struck = false, doubtful = false, near = arbiter->friction_impulse != 0;
     for (cairn_row *row = arbiter->rows; row != arbiter->rows + 2; row++) {
         cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
         open_gap(row, eightfold);
         near = near || row->impulse != 0 || row->gap <= 0 || row->gap <= -cairn_motion_half(eightfold); /* will touch within four steps */
-        doubtful = doubtful || magnitude(eightfold) > fast || row->gap > HOLD_GAP; /* a blow, or open */
+        struck = struck || magnitude(eightfold) > fast;
+        doubtful = doubtful || row->gap > HOLD_GAP; /* open */
         row->load = row->load < row->impulse ? row->load : row->impulse;
     }
     if (!near) {
@@ -221,6 +222,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
         doubtful = doubtful || magnitude(arbiter->slip) >= HOLD_SLIP;
         settle_in_turn(world, arbiter, a, b);
     }
+    arbiter->path = struck ? CAIRN_PATH_FRESH : CAIRN_PATH_NONE; /* its points take turns again */
     return !doubtful && cairn_heading_is_near(arbiter->past.heading.a, a->angle, HOLD_TURN)
         && cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN);
 }
@@ -254,7 +256,9 @@ void cairn_arbiters_follow(cairn_world *world)
         if (none || arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
             forget(arbiter);
         } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest)) {
-            arbiter->path = next_path(world, arbiter, before);
+            arbiter->path = (uint8_t)(arbiter->path | next_path(world, arbiter, before));
+        } else {
+            cairn_arbiter_doubt(arbiter);
         }
     }
 }
