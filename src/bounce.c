@@ -80,10 +80,13 @@ static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, 
     return i;
 }
 
-/* The sweeps' way of a contact whose rows may be others now. */
-static void choose_path(cairn_world *world, const cairn_impact *i)
+static bool is_in_flight(const cairn_arbiter *arbiter) { return ((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT) != 0; }
+
+/* After a look at a pair: what flies, and the sweeps' way of a contact whose rows may be others now. */
+static void take_note(cairn_world *world, const cairn_impact *i)
 {
     cairn_arbiter *arbiter = i->arbiter;
+    world->in_flight = world->in_flight || is_in_flight(arbiter);
     if (i->changed) {
         arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
         world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
@@ -95,12 +98,26 @@ static bool may_bounce(const cairn_arbiter *arbiter)
     return (arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY);
 }
 
+static inline cairn_size size_with(cairn_size size, const cairn_body *body)
+{
+    return cairn_size_with(cairn_size_with(cairn_size_with(size, body->vx), body->vy), body->w);
+}
+
 static bool is_calm(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion calm)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(a->vx), a->vy), a->w);
-    size = cairn_size_with(cairn_size_with(cairn_size_with(size, b->vx), b->vy), b->w);
-    return cairn_size_is_below(size, calm) && !((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT);
+    return cairn_size_is_below(size_with(size_with(0, a), b), calm) && !is_in_flight(arbiter);
+}
+
+/* The same for all pairs at once, as in a pile at rest. */
+static bool is_all_calm(const cairn_world *world, cairn_motion calm)
+{
+    const cairn_body *end = world->bodies + world->body_end;
+    cairn_size size = 0;
+    for (const cairn_body *body = world->bodies; body != end; body++) {
+        size = cairn_body_is_active(body) ? size_with(size, body) : size;
+    }
+    return !world->in_flight && cairn_size_is_below(size, calm);
 }
 
 /* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
@@ -113,7 +130,7 @@ CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i, phase
         if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
             cairn_impact other = impact_of(world, arbiter, p);
             bool hits = cairn_impact_foresee(&other);
-            choose_path(world, &other);
+            take_note(world, &other);
             if (hits && other.time < i->time) {
                 return true;
             }
@@ -138,7 +155,7 @@ static bool collide(cairn_world *world, cairn_arbiter *arbiter, phase *p, bool w
     if (i.adopted) {
         cairn_impact_hand_back(&i);
     }
-    choose_path(world, &i);
+    take_note(world, &i);
     return hits;
 }
 
@@ -146,7 +163,10 @@ static void impact_phase(cairn_world *world, int substep)
 {
     phase p = phase_of(world, substep);
     const cairn_motion calm = p.calm;
-    bool any = true;
+    bool any = !is_all_calm(world, calm);
+    if (any) {
+        world->in_flight = false;
+    }
     for (int pass = 0; pass < PASSES && any; pass++) {
         any = false;
         for (uint16_t place = 0; place < world->arbiter_count; place++) {
