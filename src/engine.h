@@ -389,9 +389,15 @@ static inline cairn_motion cairn_row_displacement(const cairn_body *a, const cai
  */
 static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap > CAIRN_MOTION(0.005); }
 
-/* Soft contacts (numerics): h w0 = pi / 2, damping ratio 5. */
-#define CAIRN_SOFT_BETA CAIRN_RATIO(0.13576)          /* share of the penetration corrected in a sub-step */
-#define CAIRN_SOFT_IMPULSE CAIRN_RATIO(854.0 / 16384) /* of the accumulated impulse that is given back, and that the effective mass lacks */
+/*
+ * Soft contacts: h w0 = 1.559 and damping ratio 4.76. Numerics found pi / 2 and 5; these are as near to it as sums of two shifts come, which
+ * is what the sub-steps take for each body and row.
+ */
+#define CAIRN_SOFT_BETA_NUMBER (9.0 / 64) /* share of the penetration corrected in a sub-step */
+#define CAIRN_SOFT_BETA CAIRN_RATIO(CAIRN_SOFT_BETA_NUMBER)
+static inline cairn_motion cairn_soft_lean(cairn_motion x) { return cairn_motion_part(x, 3) + cairn_motion_part(x, 6); }
+/* 7/128: of the accumulated impulse that is given back, and that the effective mass lacks */
+static inline cairn_motion cairn_soft_yield(cairn_motion x) { return cairn_motion_part(x, 4) - cairn_motion_part(x, 7); }
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
 #define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.49)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
@@ -404,7 +410,7 @@ static inline cairn_motion cairn_twist(cairn_motion impulse, cairn_lever j)
 {
     return cairn_motion_lever(cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX), j);
 }
-#define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(13576), cairn_wide_from_int(100000))
+#define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(9), cairn_wide_from_int(64))
 
 /* ---- spring.c, through the class so that worlds without springs do not link it ---- */
 typedef struct cairn_spring_class {

@@ -29,7 +29,7 @@
 /* Share of the resting load that is carried without sinking in. The rest keeps the points pressed together. */
 #define CARRIED CAIRN_RATIO(0.875)
 /* 1 / beta: from a push-out to a depth. */
-#define DEPTH CAIRN_FACTOR(1 / 0.13576)
+#define DEPTH CAIRN_FACTOR(1 / CAIRN_SOFT_BETA_NUMBER)
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 

@@ -23,7 +23,7 @@ static bool is_within_half(const cairn_body *body, cairn_motion way)
 /* What lies deeper than 5 mm is pushed out so far that levers which follow it would add energy. */
 static bool is_shallow(const cairn_arbiter *arbiter)
 {
-    cairn_motion most = -CAIRN_MOTION(0.005 * 0.13576);
+    cairn_motion most = -CAIRN_MOTION(0.005 * CAIRN_SOFT_BETA_NUMBER);
     return arbiter->rows[0].gap > most && (arbiter->count < 2 || arbiter->rows[1].gap > most);
 }
 

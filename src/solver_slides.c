@@ -8,7 +8,7 @@
 #include <cairn/spring.h>
 
 /* Baumgarte's beta is 0.2 a step; rows hold the push-out for CAIRN_SOFT_BETA. */
-#define BAUMGARTE CAIRN_RATIO(0.2 / 0.13576)
+#define BAUMGARTE CAIRN_RATIO(0.2 / CAIRN_SOFT_BETA_NUMBER)
 
 static void apply(cairn_world *world, const cairn_arbiter *arbiter, cairn_motion px, cairn_motion py, cairn_motion impulse,
                   cairn_lever ja, cairn_lever jb)

@@ -34,9 +34,9 @@ static inline bool may_lean(const cairn_body *body) { return (body->flags & CAIR
 
 static inline void lean(cairn_body *body)
 {
-    body->vx += cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
-    body->vy += cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
-    body->w += cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+    body->vx += cairn_soft_lean(body->dx);
+    body->vy += cairn_soft_lean(body->dy);
+    body->w += cairn_soft_lean(body->dw);
 }
 
 /* Enter the biased pass: v + beta d. */
@@ -92,9 +92,9 @@ static void advance(cairn_world *world)
             continue;
         }
         if (may_lean(body)) {
-            body->vx -= cairn_motion_ratio(body->dx, CAIRN_SOFT_BETA);
-            body->vy -= cairn_motion_ratio(body->dy, CAIRN_SOFT_BETA);
-            body->w -= cairn_motion_ratio(body->dw, CAIRN_SOFT_BETA);
+            body->vx -= cairn_soft_lean(body->dx);
+            body->vy -= cairn_soft_lean(body->dy);
+            body->w -= cairn_soft_lean(body->dw);
         }
         limit(world, body);
         body->dx += body->vx;

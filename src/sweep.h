@@ -31,11 +31,11 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 
 /*
  * A soft row's impulse from the rigid one: the mass scaled by 1 - a3 and a3 of the impulse given back, but for the load that
- * is carried. a3 is CAIRN_SOFT_IMPULSE; numerics in DESIGN.md.
+ * is carried. See cairn_soft_yield.
  */
 static inline cairn_motion cairn_softened(cairn_motion rigid, cairn_motion load)
 {
-    return rigid - cairn_motion_ratio(rigid - load, CAIRN_SOFT_IMPULSE);
+    return rigid - cairn_soft_yield(rigid - load);
 }
 
 #endif

@@ -120,6 +120,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
     *x += by;
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x / 2; }
+static inline cairn_motion cairn_motion_part(cairn_motion x, int bits) { return x / (1 << bits); }
 static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return x / 8; }
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s) { return x * c + y * s; }
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)

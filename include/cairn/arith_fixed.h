@@ -297,6 +297,8 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
     *x = cairn_clamp64((int64_t)*x + (by >> 6) + (low >> 12));
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x >> 1; }
+/* x / 2^bits, rounded down: a shift. */
+static inline cairn_motion cairn_motion_part(cairn_motion x, int bits) { return x >> bits; }
 static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return (x + 4) >> 3; }
 /* x c + y s, rounded; saturates */
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s)
