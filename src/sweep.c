@@ -4,18 +4,20 @@
  * Nothing is cut off within them, so nothing may wrap:
  *
  * A pair enters only if its speeds and spins are below CALM = 1/32 (with 4 sub-steps of 1/240 s, 7.5 m/s). A row's velocity is then
- * at most 2 sqrt(2) / 32 + 2 * 2 / 32 = 0.22. Push-outs are at most 0.2 and the softening takes at most 0.052 of 2.49, so the first
- * row of a biased pass changes by 0.55, the velocity of the second by at most 1 + 2 * 2 = 5 times that, and all stays below the 8
- * of Q4.28; a point that was apart changes by 1.3 at most, since its velocity has beta d in it, and the second one's by 6.5. A
- * relax pass and its friction take kinetic energy out of the pair: bodies of one mass leave it at sqrt(6) / 32 at
- * most, with up to 30 times the mass the lighter one at sqrt(3 * 31) / 32 = 0.30. Only impulses that are given back because a
- * point has come apart, or because the pressure on which friction rested is gone, may add some: hence GIVEN.
+ * at most 2 sqrt(2) / 32 + 2 * 2 / 32 = 0.22. Push-outs are at most 1/8 and the softening takes at most 7/128 of 2.49, so the first
+ * row of a biased pass changes by 0.5, the velocity of the second by at most 1 + 2 * 2 = 5 times that, and all stays below the 8
+ * of Q4.28, the impulses' sum below the 4 of cairn_fine. What closes a gap is cut at CLOSED. A relax pass and its friction take
+ * kinetic energy out of the pair: bodies of one mass leave it at sqrt(6) / 32 at most, with up to 30 times the mass the lighter
+ * one at sqrt(3 * 31) / 32 = 0.30. Only impulses that are given back because a point has come apart, or because the pressure on
+ * which friction rested is gone, may add some: hence GIVEN.
  */
 #include "sweep.h"
 
 #define CALM CAIRN_MOTION(1.0 / 32)
 /* The most by which such an impulse changes in a relax pass: 0.30 and three times 2 / 16 are below CAIRN_SWEEP_SPIN. */
 #define GIVEN CAIRN_MOTION(1.0 / 16)
+/* The most by which what closes a gap changes in a biased pass. */
+#define CLOSED CAIRN_MOTION(1.0 / 4)
 /* Push-outs beyond this are left to the careful way. */
 #define PUSH CAIRN_MOTION(0.125)
 
@@ -29,7 +31,7 @@ typedef struct pair_state {
     cairn_motion before; /* as it was: what it has changed by since are the impulses */
     cairn_motion back_a; /* a's spin, negative */
     cairn_motion spin_b;
-    cairn_motion push_a; /* a's part of the impulses, where it is not all or half */
+    cairn_fine push_a;   /* a's part of the impulses, where it is not all or half */
 } pair_state;
 
 /* What the paths stand for; all constants where the passes ask. */
@@ -58,10 +60,10 @@ CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b)
     return pair;
 }
 
-/* What a takes of a change of the velocity to one another. */
-CAIRN_INLINE cairn_motion part_of_a(const cairn_arbiter *arbiter, cairn_motion change)
+/* What a takes of a change of the velocity to one another, and what b: in fine units, so that it is rounded once, where the bodies take it. */
+CAIRN_INLINE cairn_fine part_of_a(const cairn_arbiter *arbiter, cairn_motion change)
 {
-    return arbiter->share_a == 0 ? 0 : cairn_motion_share(change, arbiter->share_a);
+    return arbiter->share_a == 0 ? 0 : cairn_fine_share(change, arbiter->share_a);
 }
 
 /* The velocity of a row, of which this is the linear part. */
@@ -71,7 +73,7 @@ CAIRN_INLINE cairn_motion velocity(const pair_state *pair, cairn_motion linear, 
 }
 
 /* What an impulse does to the spins; returns a's part. */
-CAIRN_INLINE cairn_motion turn(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion change, cairn_lever ja, cairn_lever jb, int path)
+CAIRN_INLINE cairn_fine turn(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion change, cairn_lever ja, cairn_lever jb, int path)
 {
     if (path == CAIRN_PATH_ON_STATIC) {
         pair->spin_b += cairn_motion_lever(change, jb);
@@ -82,9 +84,9 @@ CAIRN_INLINE cairn_motion turn(pair_state *pair, const cairn_arbiter *arbiter, c
         pair->back_a += cairn_motion_half_lever(change, ja);
         return 0;
     }
-    cairn_motion of_a = part_of_a(arbiter, change);
-    pair->spin_b += cairn_motion_lever(change - of_a, jb);
-    pair->back_a += cairn_motion_lever(of_a, ja);
+    cairn_fine of_a = part_of_a(arbiter, change);
+    pair->spin_b += cairn_fine_lever(cairn_fine_of(change) - of_a, jb);
+    pair->back_a += cairn_fine_lever(of_a, ja);
     return of_a;
 }
 
@@ -119,12 +121,12 @@ CAIRN_INLINE void push_apart(const pair_state *pair, cairn_body *a, cairn_body *
         b->vx += x;
         b->vy += y;
     } else {
-        cairn_motion of_b = push - pair->push_a;
-        b->vx += cairn_motion_dir(of_b, nx);
-        b->vy += cairn_motion_dir(of_b, ny);
+        cairn_fine of_b = cairn_fine_of(push) - pair->push_a;
+        b->vx += cairn_fine_dir(of_b, nx);
+        b->vy += cairn_fine_dir(of_b, ny);
         if (arbiter->share_a != 0) {
-            a->vx -= cairn_motion_dir(pair->push_a, nx);
-            a->vy -= cairn_motion_dir(pair->push_a, ny);
+            a->vx -= cairn_fine_dir(pair->push_a, nx);
+            a->vy -= cairn_fine_dir(pair->push_a, ny);
         }
     }
 }
@@ -134,7 +136,7 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
 {
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
     cairn_motion push = pair->linear - pair->before;
-    cairn_motion rub_a = turn(pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
+    cairn_fine rub_a = turn(pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
     b->w = pair->spin_b;
     if (path != CAIRN_PATH_ON_STATIC) {
         a->w = -pair->back_a;
@@ -149,12 +151,12 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
         b->vx += x;
         b->vy += y;
     } else {
-        cairn_motion of_b = push - pair->push_a, rub_b = rub - rub_a;
-        b->vx += cairn_motion_along(of_b, -rub_b, nx, ny);
-        b->vy += cairn_motion_along(rub_b, of_b, nx, ny);
+        cairn_fine of_b = cairn_fine_of(push) - pair->push_a, rub_b = cairn_fine_of(rub) - rub_a;
+        b->vx += cairn_fine_along(of_b, -rub_b, nx, ny);
+        b->vy += cairn_fine_along(rub_b, of_b, nx, ny);
         if (arbiter->share_a != 0) {
-            a->vx -= cairn_motion_along(pair->push_a, -rub_a, nx, ny);
-            a->vy -= cairn_motion_along(rub_a, pair->push_a, nx, ny);
+            a->vx -= cairn_fine_along(pair->push_a, -rub_a, nx, ny);
+            a->vy -= cairn_fine_along(rub_a, pair->push_a, nx, ny);
         }
     }
 }
@@ -197,7 +199,7 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
             u = velocity(&pair, u, row->lever_a, row->lever_b, path);
         }
         if (may_be_apart(path) && gap > 0) {
-            impulse = cairn_biased_apart(a, b, arbiter, row, u);
+            impulse = old + cairn_motion_clamp(cairn_biased_apart(a, b, arbiter, row, u) - old, CLOSED);
         } else {
             cairn_motion rigid = old - (is_central(path) ? u + gap : cairn_motion_ratio(u + gap, row->mass));
             impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);

@@ -120,7 +120,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
     *x += by;
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x / 2; }
-static inline cairn_motion cairn_motion_part(cairn_motion x, int bits) { return x / (1 << bits); }
+static inline cairn_motion cairn_motion_shifted(cairn_motion x, int bits) { return x / (1 << bits); }
 static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return x / 8; }
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s) { return x * c + y * s; }
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
@@ -234,6 +234,12 @@ static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_facto
 static inline cairn_motion cairn_motion_dir(cairn_motion a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { return a * j; }
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
+typedef double cairn_fine;
+static inline cairn_fine cairn_fine_of(cairn_motion a) { return a; }
+static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return a * s; }
+static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
+static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }
+static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {

@@ -298,7 +298,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x >> 1; }
 /* x / 2^bits, rounded down: a shift. */
-static inline cairn_motion cairn_motion_part(cairn_motion x, int bits) { return x >> bits; }
+static inline cairn_motion cairn_motion_shifted(cairn_motion x, int bits) { return x >> bits; }
 static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return (x + 4) >> 3; }
 /* x c + y s, rounded; saturates */
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s)
@@ -504,7 +504,16 @@ static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {
     return s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
 }
-/* The same with what was cut off before added, and what is cut off now kept. */
+/*
+ * Parts of a change before they are rounded, Q3.29: |change| below 4.
+ */
+typedef int32_t cairn_fine;
+static inline cairn_fine cairn_fine_of(cairn_motion a) { return a * 2; }
+static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return s == CAIRN_SHARE(0.5) ? a : cairn_mul32(a, s, 29); }
+static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return cairn_mul16(a, d, 15); }
+static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return cairn_mul16(a, j, 14); }
+static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return cairn_dot16(x, dx, y, dy, 15); }
+/* The share with what was cut off before added, and what is cut off now kept. */
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {
     int64_t exact = (int64_t)a * s + (int64_t)*carry * 32768;
