@@ -78,14 +78,14 @@ typedef struct relative_motion {
  * False if that is no rest. Both bodies together may go as fast as they like: no displacement is beyond 7 m (world.c), so a difference that wraps is
  * not short.
  */
-static inline bool find_motion(const cairn_body *a, const cairn_body *b, relative_motion *by)
+static inline bool find_motion(const cairn_body *a, const cairn_body *b, relative_motion *by, bool turns)
 {
     by->x = b->dx - a->dx;
     by->y = b->dy - a->dy;
-    by->spin_a = a->dw;
-    by->spin_b = b->dw;
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_of(by->x), by->y), by->spin_a);
-    return cairn_size_is_below(cairn_size_with(size, by->spin_b), HOLD_WAY);
+    by->spin_a = turns ? a->dw : 0;
+    by->spin_b = turns ? b->dw : 0;
+    cairn_size size = cairn_size_with(cairn_size_of(by->x), by->y);
+    return cairn_size_is_below(turns ? cairn_size_with(cairn_size_with(size, by->spin_a), by->spin_b) : size, HOLD_WAY);
 }
 
 /* How far two surfaces come apart, eight times: what is rounded is then small, and no less than zero in the mean. */
@@ -134,6 +134,8 @@ static void slip_by(cairn_arbiter *arbiter, cairn_motion way, bool fast)
  * step in which the row was made, and from LET_GO's double, so that nothing is taken back of it.
  */
 #define ALOFT CAIRN_MOTION(2)
+/* Not farther apart than this, m. */
+#define ALOFT_GAP CAIRN_MOTION(1)
 
 static bool is_aloft(const cairn_arbiter *arbiter) { return arbiter->slip > CAIRN_LET_GO + HOLD_SLIP; }
 
@@ -176,11 +178,12 @@ CAIRN_APART bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const c
     cairn_row *row = &arbiter->rows[0];
     relative_motion by;
     row->load = 0;
-    if (arbiter->slip >= 0 || !is_known(row, deepest) || !find_motion(a, b, &by)) {
+    bool turns = arbiter->past.swept.a != 0 || arbiter->past.swept.b != 0; /* not two circles */
+    if (arbiter->slip >= 0 || !is_known(row, deepest) || !find_motion(a, b, &by, turns)) {
         return false;
     }
     cairn_motion slip = arbiter->slip + magnitude(by.x) + magnitude(by.y), turned = 0;
-    if (arbiter->past.swept.a != 0 || arbiter->past.swept.b != 0) { /* not two circles, whose turning is none */
+    if (turns) {
         slip += arbiter->past.swept.a * magnitude(by.spin_a) + arbiter->past.swept.b * magnitude(by.spin_b);
         turned = turning(&by, row->lever_a, row->lever_b);
     }
@@ -196,7 +199,7 @@ CAIRN_APART bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const c
 CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
     relative_motion by;
-    if (!is_known(&arbiter->rows[0], deepest) || !is_known(&arbiter->rows[1], deepest) || !find_motion(a, b, &by)) {
+    if (!is_known(&arbiter->rows[0], deepest) || !is_known(&arbiter->rows[1], deepest) || !find_motion(a, b, &by, true)) {
         forget(arbiter);
         return false;
     }
@@ -216,7 +219,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
     }
     if (!near) {
         drift_by(arbiter, cairn_motion_eighth(across));
-        doubtful = magnitude(arbiter->slip - ALOFT) >= HOLD_SLIP;
+        doubtful = magnitude(arbiter->slip - ALOFT) >= HOLD_SLIP || arbiter->rows[0].gap > ALOFT_GAP || arbiter->rows[1].gap > ALOFT_GAP;
     } else {
         slip_by(arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
         doubtful = doubtful || magnitude(arbiter->slip) >= HOLD_SLIP;
@@ -227,38 +230,52 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
         && cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN);
 }
 
-/* The way of the next step's sweeps, after this one's: mostly the same. */
-static inline uint8_t next_path(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+/* The way of the next step's sweeps, after this one's: mostly the same. Of one point, and of two. */
+static inline uint8_t next_path_of_one(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+{
+    if ((before & CAIRN_PATH_WAY) < CAIRN_PATH_SINGLE) {
+        return cairn_arbiter_path_of(world, arbiter, 0);
+    }
+    return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(arbiter->rows[0].gap > 0, CAIRN_PATH_APART));
+}
+
+static inline uint8_t next_path_of_two(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
     int way = before & CAIRN_PATH_WAY;
-    if (way >= CAIRN_PATH_SINGLE) {
-        return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(arbiter->rows[0].gap > 0, CAIRN_PATH_APART));
-    }
     bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 
+static inline void follow(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
+{
+    uint8_t before = (uint8_t)(arbiter->path & ~(unsigned)CAIRN_PATH_FRESH);
+    arbiter->path = CAIRN_PATH_NONE;
+    if (arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
+        forget(arbiter);
+    } else if (arbiter->count == 1) {
+        if (follow_one(arbiter, a, b, deepest)) {
+            arbiter->path = next_path_of_one(world, arbiter, before);
+        }
+    } else if (follow_two(world, arbiter, a, b, deepest)) {
+        arbiter->path = (uint8_t)(arbiter->path | next_path_of_two(world, arbiter, before));
+    } else {
+        cairn_arbiter_doubt(arbiter);
+    }
+}
+
 void cairn_arbiters_follow(cairn_world *world)
 {
-    const cairn_motion deepest = world->push_out_limit < HOLD_PUSH ? -world->push_out_limit : -HOLD_PUSH;
-    const bool none = world->slop != 0;
+    /* With an allowed penetration no gap is known. */
+    const cairn_motion deepest = world->slop != 0 ? CAIRN_MOTION(7) : world->push_out_limit < HOLD_PUSH ? -world->push_out_limit : -HOLD_PUSH;
     const uint16_t *end = world->order + world->arbiter_count;
+    cairn_arbiter *arbiters = world->arbiters;
+    const cairn_body *bodies = world->bodies;
     for (const uint16_t *at = world->order; at != end; at++) {
-        cairn_arbiter *arbiter = &world->arbiters[*at];
+        cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
         arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
-        if (!(flags & CAIRN_ARBITER_SOLVED)) {
-            continue;
-        }
-        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        uint8_t before = (uint8_t)(arbiter->path & ~(unsigned)CAIRN_PATH_FRESH);
-        arbiter->path = CAIRN_PATH_NONE;
-        if (none || arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
-            forget(arbiter);
-        } else if (arbiter->count > 1 ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest)) {
-            arbiter->path = (uint8_t)(arbiter->path | next_path(world, arbiter, before));
-        } else {
-            cairn_arbiter_doubt(arbiter);
+        if (flags & CAIRN_ARBITER_SOLVED) {
+            follow(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
         }
     }
 }

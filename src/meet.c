@@ -120,7 +120,9 @@ static inline void engage(cairn_world *world, cairn_arbiter *arbiter, cairn_body
     arbiter->flags |= CAIRN_ARBITER_SOLVED;
     a->flags |= CAIRN_BODY_MET;
     b->flags |= CAIRN_BODY_MET;
-    world->uneven |= arbiter->block;
+    if (arbiter->block != 0) {
+        world->uneven |= arbiter->block;
+    }
 }
 
 /* How far a body's surface lies from its centre of mass, at most. A box's corner: sqrt(1 + t^2) <= 1 + t / 2 for t in [0, 1]. */
@@ -174,30 +176,43 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
 }
 
-/* The arbiter that was found after the last one, in the step before. */
-static inline cairn_arbiter *expected(const cairn_world *world)
+/* The arbiter of the pair, if it is the one that was found after the last one in the step before: it mostly is. */
+static inline cairn_arbiter *expected(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t slot = *world->expected;
-    return slot == CAIRN_NONE ? NULL : &world->arbiters[slot];
+    if (slot != CAIRN_NONE) {
+        cairn_arbiter *arbiter = &world->arbiters[slot];
+        if (arbiter->a == a && arbiter->b == b) { /* what is free again is of no body */
+            world->expected = &arbiter->after;
+            return arbiter;
+        }
+    }
+    return NULL;
+}
+
+static inline void exchange(uint16_t *a, uint16_t *b)
+{
+    uint16_t swap = *a;
+    *a = *b;
+    *b = swap;
 }
 
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
 {
-    bool moves_a = cairn_body_is_dynamic(&world->bodies[a]), moves_b = cairn_body_is_dynamic(&world->bodies[b]);
     world->stats.pairs++;
     /* The body that does not move, else the one with the lower place, comes first. */
-    if (moves_a == moves_b ? a > b : moves_a) {
-        uint16_t swap = a;
-        a = b;
-        b = swap;
+    if (a > b) {
+        exchange(&a, &b);
+    }
+    if (cairn_body_is_dynamic(&world->bodies[a]) && !cairn_body_is_dynamic(&world->bodies[b])) {
+        exchange(&a, &b);
     }
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    cairn_arbiter *arbiter = expected(world);
-    if (arbiter != NULL && arbiter->a == a && arbiter->b == b) { /* what is free again is of no body */
-        world->expected = &arbiter->after;
-    } else if (are_beyond(body_a, body_b)) {
-        return;
-    } else {
+    cairn_arbiter *arbiter = expected(world, a, b);
+    if (arbiter == NULL) {
+        if (are_beyond(body_a, body_b)) {
+            return;
+        }
         arbiter = cairn_arbiter_search(world, a, b);
     }
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {

@@ -30,7 +30,7 @@ cairn_lever cairn_body_lever(const cairn_body *body, cairn_offset arm)
 static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
 {
     if (separation > 0) {
-        return cairn_motion_from_offset(separation);
+        return cairn_motion_clamp(cairn_motion_from_offset(separation), CAIRN_MOTION(7)); /* hold.c may add a little */
     }
     cairn_offset beyond = separation + cairn_offset_from_real(world->slop);
     if (beyond >= 0) {
