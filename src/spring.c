@@ -141,6 +141,12 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
 
 static bool is_amount_valid(cairn_wide amount) { return !cairn_wide_less(cairn_wide_from_int(1000000000), amount); }
 
+/* As a spring keeps it; what is less than 2^-64 is nothing. */
+static cairn_packed kept(cairn_wide amount)
+{
+    return cairn_wide_pack(cairn_wide_less(amount, cairn_wide_of(1, -64)) ? cairn_wide_from_int(0) : amount);
+}
+
 static cairn_spring *take_place(cairn_spring_pool *pool)
 {
     uint16_t place = 0;
@@ -221,8 +227,8 @@ cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *
     spring->anchor_a.y = anchor_a.y;
     spring->anchor_b.x = anchor_b.x;
     spring->anchor_b.y = anchor_b.y;
-    spring->stiffness = def->stiffness;
-    spring->damping = def->damping;
+    spring->stiffness = kept(def->stiffness);
+    spring->damping = kept(def->damping);
     cairn_reach r;
     measure(world, spring, &r);
     spring->rest_length = def->rest_length < 0 ? r.length : cairn_offset_from_real(def->rest_length);
@@ -270,8 +276,8 @@ cairn_status cairn_spring_set(cairn_world *world, cairn_spring_id id, cairn_real
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
     spring->rest_length = cairn_offset_from_real(rest_length);
-    spring->stiffness = stiffness;
-    spring->damping = damping;
+    spring->stiffness = kept(stiffness);
+    spring->damping = kept(damping);
     world->springs->changed = true;
     cairn_body_wake_up(world, &world->bodies[spring->a]);
     cairn_body_wake_up(world, &world->bodies[spring->b]);

@@ -113,15 +113,13 @@ static bool is_alone(const cairn_body *a, const cairn_body *b)
     return !(cairn_body_is_dynamic(a) && (a->flags & CAIRN_BODY_SPRINGS)) && !(cairn_body_is_dynamic(b) && (b->flags & CAIRN_BODY_SPRINGS));
 }
 
-static bool are_equal(cairn_wide a, cairn_wide b) { return !cairn_wide_less(a, b) && !cairn_wide_less(b, a); }
-
 /* Most springs of a network are as the one before them, and making a map takes thousands of instructions. */
 bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const cairn_spring *model)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     const cairn_body *model_a = &world->bodies[model->a], *model_b = &world->bodies[model->b];
-    if (!(spring->flags & model->flags & CAIRN_SPRING_PLAIN) || !are_equal(spring->stiffness, model->stiffness)
-        || !are_equal(spring->damping, model->damping) || a->model != model_a->model || b->model != model_b->model
+    if (!(spring->flags & model->flags & CAIRN_SPRING_PLAIN) || spring->stiffness != model->stiffness || spring->damping != model->damping
+        || a->model != model_a->model || b->model != model_b->model
         || is_alone(a, b) != is_alone(model_a, model_b)) {
         return false;
     }
@@ -140,8 +138,8 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
     bool moves_a = cairn_body_is_dynamic(a), moves_b = cairn_body_is_dynamic(b);
     spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1) : cairn_bodies_share(a, b);
     spring->share_b = moves_b ? CAIRN_SHARE(1) - spring->share_a : 0;
-    cairn_wide stiffness = in_substeps(spring, a, b, spring->stiffness, cairn_wide_mul(world->substep, world->substep));
-    cairn_wide damping = in_substeps(spring, a, b, spring->damping, world->substep);
+    cairn_wide stiffness = in_substeps(spring, a, b, cairn_wide_unpack(spring->stiffness), cairn_wide_mul(world->substep, world->substep));
+    cairn_wide damping = in_substeps(spring, a, b, cairn_wide_unpack(spring->damping), world->substep);
     if (cairn_spring_is_off_centre(spring)) {
         cairn_reach r;
         cairn_spring_measure(spring, a, b, &r);

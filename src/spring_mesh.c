@@ -185,8 +185,8 @@ static void weigh(const cairn_world *world, const cairn_spring *spring, cairn_wi
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_wide mass = cairn_bodies_reduced_mass(a, b);
     cairn_wide limit = cairn_wide_mul(mass, STIFFNESS_MAX);
-    *stiffness = least(cairn_wide_mul(spring->stiffness, square(world->substep)), limit);
-    *damping = least(cairn_wide_mul(spring->damping, world->substep), limit);
+    *stiffness = least(cairn_wide_mul(cairn_wide_unpack(spring->stiffness), square(world->substep)), limit);
+    *damping = least(cairn_wide_mul(cairn_wide_unpack(spring->damping), world->substep), limit);
 }
 
 static void load(const cairn_world *world, cairn_mesh *mesh, uint16_t place, cairn_offset x, cairn_offset y, cairn_wide weight)

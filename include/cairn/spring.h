@@ -60,7 +60,7 @@ typedef struct cairn_spring {
     struct {
         cairn_offset x, y;
     } anchor_a, anchor_b; /* from the centres of mass, body frame */
-    cairn_wide stiffness, damping;
+    cairn_packed stiffness, damping;
 } cairn_spring;
 
 struct cairn_spring_class;

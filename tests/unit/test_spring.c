@@ -514,6 +514,17 @@ void test_the_rest_length_is_the_present_one_if_none_is_given(void)
     ASSERT_NEAR(LSB, 2, x_of(body));
 }
 
+/* However small, and whatever its exponent. */
+void test_a_stiffness_that_is_next_to_nothing_is_nothing(void)
+{
+    def.rest_length = CAIRN_F(1);
+    def.stiffness = cairn_wide_of(1, -1000);
+    def.damping = cairn_wide_of(1, -200);
+    join(&def);
+    run(60);
+    ASSERT_NEAR(0, 2, x_of(body));
+}
+
 void test_set_changes_what_a_spring_pulls_with(void)
 {
     cairn_spring_id id = join(&def);
