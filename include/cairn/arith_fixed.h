@@ -504,9 +504,7 @@ static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {
     return s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
 }
-/*
- * Parts of a change before they are rounded, Q3.29: |change| below 4.
- */
+/* Parts of a change before they are rounded, Q3.29; of changes below 4. */
 typedef int32_t cairn_fine;
 static inline cairn_fine cairn_fine_of(cairn_motion a) { return a * 2; }
 static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return s == CAIRN_SHARE(0.5) ? a : cairn_mul32(a, s, 29); }

@@ -994,6 +994,25 @@ void test_products_of_shares_and_factors(void)
     }
 }
 
+void test_parts_in_fine_units_are_rounded_to_half_a_unit(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t share = any() & (ONE - 1), a = any() / 2, c = any() / 2;
+        int16_t j = (int16_t)(any() % 16385), k = (int16_t)(any() % 16385);
+        expect(nearest_up((int64_t)a * share, ONE / 2), cairn_fine_share(a, share), a, share);
+        TEST_ASSERT_EQUAL_INT32(a, cairn_fine_share(a, CAIRN_SHARE(0.5)));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_half_dir(a, j), cairn_fine_dir(cairn_fine_share(a, CAIRN_SHARE(0.5)), j));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_half_lever(a, j), cairn_fine_lever(cairn_fine_share(a, CAIRN_SHARE(0.5)), j));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_along(a / 2, c / 2, j, k), cairn_fine_along(cairn_fine_of(a / 2), cairn_fine_of(c / 2), j, k));
+    }
+}
+
+void test_shifted_motions_are_rounded_down(void)
+{
+    TEST_ASSERT_EQUAL_INT32(2, cairn_motion_shifted(23, 3));
+    TEST_ASSERT_EQUAL_INT32(-3, cairn_motion_shifted(-17, 3));
+}
+
 void test_area_of_a_parallelogram_is_exact(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
