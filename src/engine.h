@@ -96,6 +96,12 @@ static inline bool cairn_body_is_active(const cairn_body *body)
     return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP | CAIRN_STATIC)) == CAIRN_BODY_USED; /* only CAIRN_STATIC has that bit */
 }
 
+/* The same, but for platforms that stand still: moves, or may begin to, and so may wake what it touches. */
+static inline bool cairn_body_is_stirring(const cairn_body *body)
+{
+    return cairn_body_is_active(body) && (cairn_body_is_dynamic(body) || body->vx != 0 || body->vy != 0 || body->w != 0);
+}
+
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
 static inline cairn_wide cairn_body_mass_of(const cairn_body *body)
 {
@@ -177,7 +183,8 @@ void cairn_body_refresh_extents(cairn_body *body);
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
 /* So slow, and moved so little in this step, that the formats cannot tell it from rest. */
 bool cairn_body_is_still(const cairn_world *world, const cairn_body *body);
-/* A velocity into the limits; counts what was cut. */
+/* A velocity into the limits, which no slower one meets, whatever the sub-steps; counts what was cut. */
+#define CAIRN_SURELY_SLOW CAIRN_MOTION(0.25)
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body);
 
 /* The first sub-step's velocity: force, gravity and damping; u keeps the velocity before. */

@@ -106,7 +106,7 @@ void cairn_bodies_look_ahead(cairn_world *world)
                 world->fast++;
             }
         }
-        awake++;
+        awake = (uint16_t)(awake + (way != 0 || cairn_body_is_dynamic(body) ? 1 : 0)); /* not what stands still by itself */
     }
     world->stats.awake = awake;
 }
@@ -164,7 +164,9 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
         body->vy = cairn_motion_add(body->vy + scaled(gy, body), fy);
         body->w = cairn_motion_add(body->w, fw);
     }
-    cairn_body_limit_speed(world, body);
+    if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) {
+        cairn_body_limit_speed(world, body);
+    }
 }
 
 /*
@@ -300,7 +302,7 @@ static inline void finish(cairn_world *world, cairn_body *body)
             straighten(world, body);
         }
     }
-    if (!is_within(body->vx, body->vy, body->w, world->speed_limit)) { /* the sweeps' own limit is a wider one */
+    if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
         cairn_body_limit_speed(world, body);
     }
     body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS);

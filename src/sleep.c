@@ -11,12 +11,6 @@
 
 /* ---- waking ---- */
 
-/* Moves, and so may wake what it touches. */
-static bool is_stirring(const cairn_body *body)
-{
-    return cairn_body_is_active(body) && (cairn_body_is_dynamic(body) || body->vx != 0 || body->vy != 0 || body->w != 0);
-}
-
 static bool is_asleep(const cairn_body *body) { return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP)) == (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP); }
 
 static void wake_neighbour(cairn_world *world, uint16_t a, uint16_t b)
@@ -25,7 +19,7 @@ static void wake_neighbour(cairn_world *world, uint16_t a, uint16_t b)
     if (!((body_a->flags ^ body_b->flags) & CAIRN_BODY_ASLEEP)) { /* both sleep or neither does */
         return;
     }
-    cairn_body *sleeper = is_asleep(body_a) && is_stirring(body_b) ? body_a : is_asleep(body_b) && is_stirring(body_a) ? body_b : NULL;
+    cairn_body *sleeper = is_asleep(body_a) && cairn_body_is_stirring(body_b) ? body_a : is_asleep(body_b) && cairn_body_is_stirring(body_a) ? body_b : NULL;
     if (sleeper != NULL) {
         cairn_body_wake_up(world, sleeper);
         world->stats.awake++;
@@ -82,7 +76,7 @@ static void join(cairn_world *world, uint16_t a, uint16_t b)
     if (cairn_body_is_dynamic(body_a) && cairn_body_is_dynamic(body_b)) {
         uint16_t root_a = root_of(world, a), root_b = root_of(world, b);
         cairn_body_set_link(&world->bodies[root_a > root_b ? root_a : root_b], root_a > root_b ? root_b : root_a);
-    } else if (cairn_body_is_dynamic(body_b) ? is_stirring(body_a) : is_stirring(body_b)) {
+    } else if (cairn_body_is_dynamic(body_b) ? cairn_body_is_stirring(body_a) : cairn_body_is_stirring(body_b)) {
         body_a->rest = 0; /* carried by a moving platform */
         body_b->rest = 0;
     }

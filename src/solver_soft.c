@@ -21,14 +21,6 @@ static void for_each_solved(cairn_world *world, void (*pass)(const cairn_world *
     }
 }
 
-/* Cut to the limits what is not clearly within. */
-static inline void limit(cairn_world *world, cairn_body *body)
-{
-    if (!cairn_size_is_below(cairn_size_with(cairn_size_with(cairn_size_of(body->vx), body->vy), body->w), world->speed_limit)) {
-        cairn_body_limit_speed(world, body);
-    }
-}
-
 /* Only contacts ask how far it has moved: what hangs on springs alone need not lean. */
 static inline bool may_lean(const cairn_body *body) { return (body->flags & CAIRN_BODY_MET) != 0; }
 
@@ -50,31 +42,33 @@ static void lean_all(cairn_world *world)
     }
 }
 
-/* The last change of velocity once more, with this change of gravity. */
-static inline void repeat(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
+/* The last change once more. */
+static inline cairn_motion repeat(cairn_motion *v, cairn_motion *u)
 {
-    cairn_motion vx = body->vx, vy = body->vy, w = body->w;
-    bool plain = (body->flags & CAIRN_BODY_PLAIN) != 0;
-    body->vx = 2 * vx - body->ux + (plain ? gx : 0);
-    body->vy = 2 * vy - body->uy + (plain ? gy : 0);
-    body->w = 2 * w - body->uw;
-    body->ux = vx;
-    body->uy = vy;
-    body->uw = w;
-    limit(world, body);
+    cairn_motion now = *v, next = 2 * now - *u;
+    *u = now;
+    *v = next;
+    return next;
 }
 
-/* A further sub-step's velocities. Where no spring is to come first, bodies lean at once. */
-static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
+/* A further sub-step's velocities, with this change of gravity. Where no spring is to come first, bodies lean at once. */
+CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    bool leans = world->springs == NULL;
+    bool leans = world->springs == NULL, falls_anew = gx != 0 || gy != 0; /* by a last bit now and then */
     for (cairn_body *body = world->bodies; body != end;) {
         if (!(body->flags & CAIRN_BODY_GOES)) {
             body = cairn_body_skip(world, body);
             continue;
         }
-        repeat(world, body, gx, gy);
+        if (falls_anew && (body->flags & CAIRN_BODY_PLAIN)) {
+            body->ux -= gx;
+            body->uy -= gy;
+        }
+        cairn_motion vx = repeat(&body->vx, &body->ux), vy = repeat(&body->vy, &body->uy), w = repeat(&body->w, &body->uw);
+        if (!cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
+            cairn_body_limit_speed(world, body);
+        }
         if (leans) {
             lean(body);
         }
@@ -83,7 +77,7 @@ static void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 }
 
 /* Leave the biased pass, and move by the sub-step. */
-static void advance(cairn_world *world)
+CAIRN_APART void advance(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     for (cairn_body *body = world->bodies; body != end;) {
@@ -96,7 +90,9 @@ static void advance(cairn_world *world)
             body->vy -= cairn_soft_lean(body->dy);
             body->w -= cairn_soft_lean(body->dw);
         }
-        limit(world, body);
+        if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) {
+            cairn_body_limit_speed(world, body);
+        }
         body->dx += body->vx;
         body->dy += body->vy;
         body->dw += body->w;

@@ -98,7 +98,7 @@ static bool is_all_asleep(const cairn_world *world)
         return false;
     }
     for (uint16_t i = 0; i < world->body_end; i++) {
-        if (cairn_body_is_active(&world->bodies[i])) {
+        if (cairn_body_is_stirring(&world->bodies[i])) {
             return false;
         }
     }

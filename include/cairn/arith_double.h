@@ -223,6 +223,10 @@ static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j
 #define CAIRN_LEVER_SHORT 2.0
 static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
 static inline bool cairn_lever_is_short(cairn_lever j) { return fabs(j) <= CAIRN_LEVER_SHORT; }
+static inline bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
+{
+    return fabs(x) < limit && fabs(y) < limit && fabs(w) < limit;
+}
 static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit) { return x < 0 ? 0 : x > limit ? limit : x; }
 typedef double cairn_size;
 static inline cairn_size cairn_size_of(cairn_motion x) { return fabs(x); }

@@ -487,6 +487,12 @@ static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j
 #define CAIRN_LEVER_SHORT 16384
 static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return cairn_dot16(a, j, b, k, 13); }
 static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
+/* Do all of them lie in [-limit, limit), a constant power of two? */
+static inline bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
+{
+    uint32_t bits = ((uint32_t)x + (uint32_t)limit) | ((uint32_t)y + (uint32_t)limit) | ((uint32_t)w + (uint32_t)limit);
+    return bits < 2u * (uint32_t)limit;
+}
 /* x into [0, limit] */
 static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
 {

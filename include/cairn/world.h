@@ -62,7 +62,7 @@ typedef struct cairn_world_stats {
     uint32_t steps;         /* all */
     uint32_t dropped;       /* all: contacts lost because the pool of arbiters was full */
     uint32_t saturations;   /* all: speeds and positions that met their limit */
-    uint16_t bodies, awake; /* now */
+    uint16_t bodies, awake; /* now; a platform that stands still is not awake */
     uint16_t pairs;         /* whose boxes overlap */
     uint16_t arbiters, points;
     uint16_t springs;

@@ -739,6 +739,40 @@ void test_coordinate_shifts_by_offsets_without_loss(void)
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, x);
 }
 
+void test_a_spot_knows_its_coordinate_from_near_by(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t x = any() / 2, by = any() / 512, whole = (int32_t)((uint32_t)x & ~255u); /* 64 m at most */
+        cairn_spot spot = cairn_spot_of(x);
+        expect(whole, cairn_spot_real(spot, x + by), x, by);
+        int32_t way = cairn_spot_way(spot, x + by);
+        expect(true, way >= 1 && way * 256 >= (by < 0 ? -by : by) && (way - 2) * 256 <= (by < 0 ? -by : by), x, by);
+        expect(true, cairn_spots_are_near(spot, cairn_spot_of(x + by), (cairn_extent)way, 0), x, by);
+    }
+    TEST_ASSERT_FALSE(cairn_spots_are_near(cairn_spot_of(0), cairn_spot_of(CAIRN_F(1)), 128, 127));
+    TEST_ASSERT_TRUE(cairn_spots_are_near(cairn_spot_of(CAIRN_F(-0.5)), cairn_spot_of(CAIRN_F(0.5)), 128, 128));
+}
+
+void test_motions_within_a_limit_are_told(void)
+{
+    const int32_t limit = CAIRN_MOTION(0.25);
+    TEST_ASSERT_TRUE(cairn_motions_are_within(0, limit - 1, -limit, limit));
+    TEST_ASSERT_FALSE(cairn_motions_are_within(limit, 0, 0, limit));
+    TEST_ASSERT_FALSE(cairn_motions_are_within(0, -limit - 1, 0, limit));
+    TEST_ASSERT_FALSE(cairn_motions_are_within(0, 0, INT32_MAX, limit));
+    TEST_ASSERT_FALSE(cairn_motions_are_within(0, 0, INT32_MIN, limit));
+}
+
+void test_a_wide_sector_is_a_64th_of_a_turn(void)
+{
+    TEST_ASSERT_TRUE(cairn_angle_is_in_wide_sector(0, CAIRN_RADIANS(0.098)));
+    TEST_ASSERT_FALSE(cairn_angle_is_in_wide_sector(0, CAIRN_RADIANS(0.0982)));
+    TEST_ASSERT_FALSE(cairn_angle_is_in_wide_sector(0, -1));
+    TEST_ASSERT_TRUE(cairn_real_wide_sector(CAIRN_F(2)) >= CAIRN_F(2 * 0.09818));
+    TEST_ASSERT_EQUAL_INT32(2, cairn_real_above_motion(4097));
+    TEST_ASSERT_EQUAL_INT32(0, cairn_real_above_motion(0));
+}
+
 void test_offset_between_coordinates_keeps_the_residues(void)
 {
     TEST_ASSERT_EQUAL_INT32(CAIRN_OFFSET(1), cairn_coordinate_offset(CAIRN_F(3), 0, CAIRN_F(4), 0));

@@ -256,6 +256,42 @@ void test_sleepers_wake_alike_with_either_search(void)
     assert_same_history(pairs, tree);
 }
 
+/* Between steps bodies are made, destroyed and put elsewhere. */
+static void disturb(cairn_world *world, int round)
+{
+    uint32_t seed = (uint32_t)round + 11;
+    cairn_body_id id = cairn_world_next_body(world, cairn_body_id_null());
+    for (int skip = random_between(&seed, 3, 20); skip > 0; skip--) {
+        id = cairn_world_next_body(world, id);
+    }
+    if (round % 3 == 0) {
+        TEST_ASSERT_EQUAL(CAIRN_OK, cairn_body_destroy(world, id));
+        yard_def def = def_at(&crate, random_real(&seed, -2, 2), random_real(&seed, 12, 16));
+        make_in(world, &def);
+    } else if (round % 3 == 1) {
+        cairn_vec2 to = cairn_vec2_of(random_real(&seed, -2, 2), random_real(&seed, 12, 16));
+        TEST_ASSERT_EQUAL(CAIRN_OK, cairn_body_set_transform(world, id, to, CAIRN_RADIANS(0.3)));
+    } else {
+        cairn_vec2 speed = cairn_vec2_of(random_real(&seed, -2, 2), random_real(&seed, 5, 60));
+        TEST_ASSERT_EQUAL(CAIRN_OK, cairn_body_set_velocity(world, id, speed));
+    }
+}
+
+void test_a_tree_that_is_kept_follows_what_the_game_does(void)
+{
+    cairn_world *pairs = trough(&memory), *tree = trough(&other_memory);
+    TEST_ASSERT_EQUAL(CAIRN_OK, cairn_quadtree_enable(tree, &tree_memory, cairn_vec2_of(0, CAIRN_F(8)), 4, 6));
+    for (int round = 0; round < 60; round++) {
+        for (int step = 0; step < 7; step++) {
+            TEST_ASSERT_EQUAL(CAIRN_OK, cairn_world_step(pairs));
+            TEST_ASSERT_EQUAL(CAIRN_OK, cairn_world_step(tree));
+            assert_same_state(pairs, tree);
+        }
+        disturb(pairs, round);
+        disturb(tree, round);
+    }
+}
+
 /* ---- the tree's size ---- */
 
 static void add_grid(cairn_world *world, const cairn_shape *shape, int columns, int rows)

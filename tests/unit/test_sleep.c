@@ -246,6 +246,20 @@ void test_a_moving_platform_keeps_awake_and_wakes(void)
 }
 
 /* So does one that moves sideways or turns only. */
+void test_a_platform_that_stands_still_is_not_awake_and_costs_no_pairs(void)
+{
+    yard_def def = def_at(&box, CAIRN_F(0.2), CAIRN_F(2.6));
+    def.type = CAIRN_KINEMATIC;
+    cairn_body_id platform = make(&def);
+    run(90);
+    ASSERT_BOTH_ASLEEP();
+    TEST_ASSERT_EQUAL(0, cairn_world_get_stats(world)->awake);
+    TEST_ASSERT_EQUAL(0, cairn_world_get_stats(world)->pairs);
+    ASSERT_OK(cairn_body_set_velocity(world, platform, at(0, CAIRN_F(-0.5))));
+    run(30);
+    TEST_ASSERT_TRUE(awake(high));
+}
+
 void test_any_motion_of_a_platform_keeps_awake(void)
 {
     static const cairn_vec2 speeds[] = { { CAIRN_F(0.02), 0 }, { 0, 0 } };
