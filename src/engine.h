@@ -75,11 +75,11 @@ enum {
     CAIRN_PATH_SHARED,    /* two points, and any bodies; points may be apart */
     CAIRN_PATH_SINGLE,    /* the same of one point */
     CAIRN_PATH_CENTRAL,   /* the same of one point on the line through both centres: circles */
-    CAIRN_PATH_EVEN_CENTRAL, /* the same of bodies of one mass */
+    CAIRN_PATH_EVEN_CENTRAL, /* the same of balls of one size and mass, whose spins change alike */
     CAIRN_PATH_WAY = 15,
     CAIRN_PATH_FREE = 16,   /* and: a is not static */
     CAIRN_PATH_FRESH = 32,  /* and: the rows are not held, but made in this step */
-    CAIRN_PATH_APART = 64,  /* and: no point touched when the step began */
+    CAIRN_PATH_APART = 64,  /* and: no point touched when the step began; the quick ways of one point look for themselves */
     CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 

@@ -233,10 +233,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
 /* The way of the next step's sweeps, after this one's: mostly the same. Of one point, and of two. */
 static inline uint8_t next_path_of_one(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
-    if ((before & CAIRN_PATH_WAY) < CAIRN_PATH_SINGLE) {
-        return cairn_arbiter_path_of(world, arbiter, 0);
-    }
-    return (uint8_t)((before & ~(unsigned)CAIRN_PATH_APART) | cairn_flag_if(arbiter->rows[0].gap > 0, CAIRN_PATH_APART));
+    return (before & CAIRN_PATH_WAY) < CAIRN_PATH_SINGLE ? cairn_arbiter_path_of(world, arbiter, 0) : before;
 }
 
 static inline uint8_t next_path_of_two(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)

@@ -216,7 +216,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         arbiter = cairn_arbiter_search(world, a, b);
     }
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
-        renew(world, arbiter, !(arbiter->path & CAIRN_PATH_APART));
+        renew(world, arbiter, arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART)));
         engage(world, arbiter, body_a, body_b);
     } else {
         meet(world, arbiter, a, b);

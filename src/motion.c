@@ -180,23 +180,9 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
 /* Impulses below the last bit of Q4.28 are rounding in double and hold nothing: a body that glides along a wall is in free fall. */
 #define LEAST_PUSH CAIRN_MOTION(3.7e-9)
 
-static void mark_rest(cairn_world *world, const cairn_arbiter *arbiter)
-{
-    cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    bool on_two = arbiter->count > 1 && arbiter->rows[0].impulse > 0 && arbiter->rows[1].impulse > 0;
-    cairn_motion limit = cairn_motion_factor(arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0),
-                                             arbiter->kinetic_friction);
-    bool slips = magnitude(arbiter->friction_impulse) >= limit;
-    unsigned kept = ~(cairn_flag_if(slips, CAIRN_BODY_GRIPS) | cairn_flag_if(on_two, CAIRN_BODY_UNSTEADY));
-    if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
-        a->flags = (uint16_t)((a->flags & kept) | CAIRN_BODY_HELD);
-    }
-    b->flags = (uint16_t)((b->flags & kept) | CAIRN_BODY_HELD);
-}
-
 static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
 {
-    return magnitude(x) <= limit && magnitude(y) <= limit && magnitude(w) <= limit;
+    return cairn_motion_is_within(x, limit) && cairn_motion_is_within(y, limit) && cairn_motion_is_within(w, limit);
 }
 
 static inline bool is_still(const cairn_world *world, const cairn_body *body)
@@ -223,20 +209,35 @@ static void calm(const cairn_world *world, cairn_body *body)
     }
 }
 
+/* A contact that pushes acted on its bodies. */
+static inline void mark_rest(cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion first, cairn_motion second)
+{
+    bool slips = magnitude(arbiter->friction_impulse) >= cairn_motion_factor(first + second, arbiter->kinetic_friction);
+    unsigned kept = ~(cairn_flag_if(slips, CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
+    if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
+        a->flags = (uint16_t)((a->flags & kept) | CAIRN_BODY_HELD);
+    }
+    b->flags = (uint16_t)((b->flags & kept) | CAIRN_BODY_HELD);
+}
+
 /* Which bodies a contact acted on, and which pairs touched. */
 static void mark_held(cairn_world *world)
 {
     const uint16_t *end = world->order + world->arbiter_count;
+    cairn_arbiter *arbiters = world->arbiters;
+    cairn_body *bodies = world->bodies;
     unsigned points = 0;
     for (const uint16_t *at = world->order; at != end; at++) {
-        cairn_arbiter *arbiter = &world->arbiters[*at];
-        if (!(arbiter->flags & CAIRN_ARBITER_SOLVED)) {
+        cairn_arbiter *arbiter = &arbiters[*at];
+        unsigned flags = arbiter->flags;
+        if (!(flags & CAIRN_ARBITER_SOLVED)) {
             continue;
         }
+        cairn_motion first = arbiter->rows[0].impulse, second = arbiter->count > 1 ? arbiter->rows[1].impulse : 0;
         points += arbiter->count;
-        if (arbiter->rows[0].impulse >= LEAST_PUSH || (arbiter->count > 1 && arbiter->rows[1].impulse >= LEAST_PUSH)) {
-            arbiter->flags |= CAIRN_ARBITER_TOUCHING;
-            mark_rest(world, arbiter);
+        if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
+            arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);
+            mark_rest(&bodies[arbiter->a], &bodies[arbiter->b], arbiter, first, second);
         }
     }
     world->stats.points = (uint16_t)points;

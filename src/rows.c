@@ -16,6 +16,9 @@ static bool has_room(cairn_ratio mass, cairn_lever ja, cairn_lever jb)
 /* 1 / (J M^-1 J^T) of a row, times (1/mA + 1/mB). Where there is no room for all of it, it takes more passes. */
 static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor linear, cairn_lever ja, cairn_lever jb)
 {
+    if (ja == 0 && jb == 0 && linear == CAIRN_FACTOR(1)) {
+        return CAIRN_RATIO(1); /* circles */
+    }
     cairn_ratio mass = cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(cairn_arbiter_share_b(arbiter), jb, jb));
     return mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
 }

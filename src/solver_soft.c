@@ -66,11 +66,10 @@ CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy
             body->uy -= gy;
         }
         cairn_motion vx = repeat(&body->vx, &body->ux), vy = repeat(&body->vy, &body->uy), w = repeat(&body->w, &body->uw);
-        if (!cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
-            cairn_body_limit_speed(world, body);
-        }
-        if (leans) {
+        if (leans) { /* three times the limit at most, which the sweeps have room for, and cut again when it moves */
             lean(body);
+        } else if (!cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
+            cairn_body_limit_speed(world, body);
         }
         body++;
     }

@@ -69,6 +69,9 @@ CAIRN_INLINE cairn_fine part_of_a(const cairn_arbiter *arbiter, cairn_motion cha
 /* The velocity of a row, of which this is the linear part. */
 CAIRN_INLINE cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb, int path)
 {
+    if (path == CAIRN_PATH_EVEN_CENTRAL) {
+        return linear + cairn_motion_lever(pair->spin_b - pair->back_a, jb); /* ja is -jb */
+    }
     return linear + (path == CAIRN_PATH_ON_STATIC ? cairn_motion_lever(pair->spin_b, jb) : cairn_motion_levers(pair->spin_b, jb, pair->back_a, ja));
 }
 
@@ -77,6 +80,12 @@ CAIRN_INLINE cairn_fine turn(pair_state *pair, const cairn_arbiter *arbiter, cai
 {
     if (path == CAIRN_PATH_ON_STATIC) {
         pair->spin_b += cairn_motion_lever(change, jb);
+        return 0;
+    }
+    if (path == CAIRN_PATH_EVEN_CENTRAL) {
+        cairn_motion half = cairn_motion_half_lever(change, jb);
+        pair->spin_b += half;
+        pair->back_a -= half;
         return 0;
     }
     if (is_even(path)) {
@@ -161,11 +170,40 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
     }
 }
 
+/*
+ * So far apart that no point can meet in this sub-step: where gap + d > 0, its row presses if gap + v + d < 0, of the motion along the normal; in
+ * the biased pass v has beta d in it, so d counts 1 - beta times, which is between nothing and once. Spins add 2 sqrt(2) times each at
+ * most, to v and to d: 12 times the greatest of them. What falls together does not near one another at all. Halves are taken where the
+ * difference of two displacements may not fit.
+ */
+static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
+{
+    const cairn_row *rows = arbiter->rows;
+    bool second = arbiter->count > 1;
+    if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[1].impulse != 0)) {
+        return false;
+    }
+    cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
+    cairn_motion vx = b->vx - a->vx, vy = b->vy - a->vy;
+    cairn_motion x = cairn_motion_half(b->dx) - cairn_motion_half(a->dx), y = cairn_motion_half(b->dy) - cairn_motion_half(a->dy);
+    cairn_size spin = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_of(a->w), b->w), a->dw), b->dw);
+    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_with(spin, vx), vy), x), y);
+    if (cairn_size_is_far_below(size, gap) || !cairn_size_is_below(size, NEARING)) {
+        return cairn_size_is_below(size, NEARING);
+    }
+    cairn_motion v = cairn_motion_along(vx, vy, arbiter->normal_x, arbiter->normal_y), d = 2 * cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
+    cairn_motion room = gap + (v < 0 && d < 0 ? v + d : v < d ? v : d) - 12 * ROUNDED;
+    return room > 0 && cairn_size_is_below(12 * spin, room);
+}
+
 /* ---- the passes over one contact; a pair that is not calm goes the careful way ---- */
 
 
 CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
+    if (!has_two_points(path) && arbiter->rows[0].gap > 0 && is_far(a, b, arbiter)) {
+        return;
+    }
     const cairn_row *rows = arbiter->rows;
     cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
     if (has_two_points(path)) {
@@ -185,6 +223,9 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
 
 CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
+    if (!has_two_points(path) && arbiter->rows[0].gap > 0 && is_far(a, b, arbiter)) {
+        return;
+    }
     if (!is_calm(a, b, path, !is_central(path))) {
         cairn_careful_biased_pass(world, arbiter, from_last);
         return;
@@ -215,6 +256,9 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
 
 CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
+    if (!has_two_points(path) && arbiter->rows[0].gap > 0 && is_far(a, b, arbiter)) {
+        return;
+    }
     if (!is_calm(a, b, path, true)) {
         cairn_careful_relax_pass(world, arbiter, from_last);
         return;
@@ -311,7 +355,8 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     }
     if (arbiter->count == 1) {
         bool central = arbiter->rows[0].lever_a == 0 && arbiter->rows[0].lever_b == 0;
-        return (!central ? CAIRN_PATH_SINGLE : arbiter->share_a == CAIRN_SHARE(0.5) ? CAIRN_PATH_EVEN_CENTRAL : CAIRN_PATH_CENTRAL) + apart;
+        bool alike = arbiter->share_a == CAIRN_SHARE(0.5) && arbiter->friction_lever_a == -arbiter->friction_lever_b;
+        return !central ? CAIRN_PATH_SINGLE : alike ? CAIRN_PATH_EVEN_CENTRAL : CAIRN_PATH_CENTRAL;
     }
     if (first || second) {
         return CAIRN_PATH_SHARED + apart;
@@ -326,33 +371,6 @@ uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arb
         path |= fresh | cairn_flag_if(!(arbiter->flags & CAIRN_ARBITER_ON_STATIC), CAIRN_PATH_FREE);
     }
     return (uint8_t)path;
-}
-
-/*
- * So far apart that no point can meet in this sub-step: where gap + d > 0, its row presses if gap + v + d < 0, of the motion along the normal; in
- * the biased pass v has beta d in it, so d counts 1 - beta times, which is between nothing and once. Spins add 2 sqrt(2) times each at
- * most, to v and to d: 12 times the greatest of them. What falls together does not near one another at all. Halves are taken where the
- * difference of two displacements may not fit.
- */
-static bool is_far(const cairn_world *world, const cairn_arbiter *arbiter)
-{
-    const cairn_row *rows = arbiter->rows;
-    bool second = arbiter->count > 1;
-    if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[1].impulse != 0)) {
-        return false;
-    }
-    const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
-    cairn_motion vx = b->vx - a->vx, vy = b->vy - a->vy;
-    cairn_motion x = cairn_motion_half(b->dx) - cairn_motion_half(a->dx), y = cairn_motion_half(b->dy) - cairn_motion_half(a->dy);
-    cairn_size spin = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_of(a->w), b->w), a->dw), b->dw);
-    cairn_size size = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_with(spin, vx), vy), x), y);
-    if (cairn_size_is_far_below(size, gap) || !cairn_size_is_below(size, NEARING)) {
-        return cairn_size_is_below(size, NEARING);
-    }
-    cairn_motion v = cairn_motion_along(vx, vy, arbiter->normal_x, arbiter->normal_y), d = 2 * cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
-    cairn_motion room = gap + (v < 0 && d < 0 ? v + d : v < d ? v : d) - 12 * ROUNDED;
-    return room > 0 && cairn_size_is_below(12 * spin, room);
 }
 
 void cairn_sweep_choose_again(cairn_world *world)
@@ -379,7 +397,7 @@ static void sweep(cairn_world *world, way *const ways[], unsigned from_last)
         const cairn_arbiter *arbiter = &world->arbiters[*at];
         unsigned path = arbiter->path;
         bool apart = (path & CAIRN_PATH_APART) != 0;
-        if (path == CAIRN_PATH_NONE || (apart && is_far(world, arbiter))) {
+        if (path == CAIRN_PATH_NONE || (apart && is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter))) {
             at++;
         } else {
             at = ways[(path & CAIRN_PATH_WAY) - 1](world, at, apart ? at + 1 : end, (path & from_last) != 0);
