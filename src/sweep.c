@@ -60,11 +60,8 @@ CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b)
     return pair;
 }
 
-/* What a takes of a change of the velocity to one another, and what b: in fine units, so that it is rounded once, where the bodies take it. */
-CAIRN_INLINE cairn_fine part_of_a(const cairn_arbiter *arbiter, cairn_motion change)
-{
-    return arbiter->share_a == 0 ? 0 : cairn_fine_share(change, arbiter->share_a);
-}
+/* What a takes of a change of the velocity to one another: in fine units, so that it is rounded once, where the body takes it. */
+CAIRN_INLINE cairn_fine part_of_a(const cairn_arbiter *arbiter, cairn_motion change) { return cairn_fine_share(change, arbiter->share_a); }
 
 /* The velocity of a row, of which this is the linear part. */
 CAIRN_INLINE cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb, int path)
@@ -392,16 +389,18 @@ void cairn_sweep_choose_again(cairn_world *world)
  */
 static void sweep(cairn_world *world, way *const ways[], unsigned from_last)
 {
-    const uint16_t *at = world->order, *end = at + world->arbiter_count;
+    const uint16_t *at = world->order, *const end = at + world->arbiter_count;
+    const cairn_arbiter *const arbiters = world->arbiters;
+    const cairn_body *const bodies = world->bodies;
     while (at != end) {
-        const cairn_arbiter *arbiter = &world->arbiters[*at];
+        const cairn_arbiter *arbiter = &arbiters[*at];
         unsigned path = arbiter->path;
-        bool apart = (path & CAIRN_PATH_APART) != 0;
-        if (path == CAIRN_PATH_NONE || (apart && is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter))) {
-            at++;
-        } else {
-            at = ways[(path & CAIRN_PATH_WAY) - 1](world, at, apart ? at + 1 : end, (path & from_last) != 0);
+        const uint16_t *stop = end;
+        if (path & CAIRN_PATH_APART) {
+            stop = at + 1;
+            path = is_far(&bodies[arbiter->a], &bodies[arbiter->b], arbiter) ? CAIRN_PATH_NONE : path;
         }
+        at = path == CAIRN_PATH_NONE ? at + 1 : ways[(path & CAIRN_PATH_WAY) - 1](world, at, stop, (path & from_last) != 0);
     }
 }
 

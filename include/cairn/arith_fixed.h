@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD or _CLZ;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD, _CLZ or _ASKS;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -67,6 +67,10 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #endif
 #ifndef CAIRN_PORT_MUL32
 #define CAIRN_PORT_MUL32(a, b, shift) ((int32_t)(((int64_t)(a) * (b) + ((int64_t)1 << ((shift) - 1))) >> (shift)))
+#endif
+/* 0 where the product of two 32-bit numbers costs no more than to ask whether it is needed. */
+#ifndef CAIRN_PORT_ASKS
+#define CAIRN_PORT_ASKS 1
 #endif
 #ifndef CAIRN_PORT_DOT16
 #define CAIRN_PORT_DOT16(a, b, c, d, shift) \
@@ -514,7 +518,11 @@ static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 /* Parts of a change before they are rounded, Q3.29; of changes below 4. */
 typedef int32_t cairn_fine;
 static inline cairn_fine cairn_fine_of(cairn_motion a) { return a * 2; }
-static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return s == CAIRN_SHARE(0.5) ? a : cairn_mul32(a, s, 29); }
+static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s)
+{
+    if (CAIRN_PORT_ASKS && s == 0) { return 0; }
+    return CAIRN_PORT_ASKS && s == CAIRN_SHARE(0.5) ? a : cairn_mul32(a, s, 29);
+}
 static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return cairn_mul16(a, d, 15); }
 static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return cairn_mul16(a, j, 14); }
 static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return cairn_dot16(x, dx, y, dy, 15); }

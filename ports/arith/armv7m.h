@@ -17,6 +17,7 @@
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv7m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_CLZ(x) cairn_armv7m_clz(x)
 #define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)
+#define CAIRN_PORT_ASKS 0
 
 /* x / 2^shift, halves upwards */
 static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)

@@ -159,8 +159,9 @@ def _sizes(core: str) -> list[Row]:
     loaded = load(f"{WORLD} quadtree")
     roomy = engine.run(loaded, "q16", core, 2 * STEPS, 0)
     most = roomy.statistics
-    pools = {"CAIRN_WORLD(world": (len(loaded.bodies), most["most_arbiters"]),
-             "CAIRN_QUADTREE(world_quadtree": (len(loaded.bodies), most["most_tree_cells"], most["most_tree_entries"])}  # fmt: skip
+    bodies = len(loaded.bodies)
+    pools = {"CAIRN_WORLD(world": (bodies, most["most_arbiters"]),
+             "CAIRN_QUADTREE(world_quadtree": (bodies, most["most_tree_cells"], most["most_tree_entries"])}  # fmt: skip
     with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
         image = Path(folder) / "runner.elf"
         engine.build_image(loaded, core, image, lambda text: cut(text, pools))
@@ -181,7 +182,8 @@ def _with_article(name: str) -> str:
 def cut(table: str, pools: dict[str, tuple[int, ...]]) -> str:
     """A scene's table with other sizes of its pools, by the macro and its first argument."""
     for start, sizes in pools.items():
-        table, count = re.subn(re.escape(start) + r", \d+" * len(sizes) + r"\)", f"{', '.join([start, *map(str, sizes)])})", table)
+        tight = f"{', '.join([start, *map(str, sizes)])})"
+        table, count = re.subn(re.escape(start) + r", \d+" * len(sizes) + r"\)", tight, table)
         if count != 1:
             raise engine.EngineError(f"the table has no {start}")
     return table
