@@ -15,7 +15,7 @@
 /* The rows serve while the surfaces have slipped by less than this, */
 #define HOLD_SLIP CAIRN_MOTION(0.002)
 /* no point is farther apart than this, */
-#define HOLD_GAP CAIRN_MOTION(0.002)
+#define HOLD_GAP CAIRN_MOTION(0.01)
 /* and neither body has turned by more than this. */
 #define HOLD_TURN CAIRN_RADIANS(0.005)
 /* A row of one point serves for this way at most, in sizes of the smaller body. */

@@ -19,8 +19,9 @@
 #define CAIRN_ASSERT(condition) ((void)0)
 #endif
 
-/* For functions whose arguments are mostly constants: they must not become calls. */
-#if defined(__GNUC__)
+/* For functions whose arguments are mostly constants: they must not become calls, but where branches are counted. */
+#if defined(CAIRN_INLINE)
+#elif defined(__GNUC__)
 #define CAIRN_INLINE static inline __attribute__((always_inline))
 #else
 #define CAIRN_INLINE static inline

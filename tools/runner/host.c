@@ -33,7 +33,8 @@ static int run(const cairn_scene *scene, const runner_options *options)
         room(1, sizeof(cairn_spring_pool)), room(scene->spring_count, sizeof(cairn_spring)), scene->spring_count,
     };
     const cairn_quadtree_storage tree = {
-        room(1, sizeof(cairn_quadtree)), room(scene->body_count, sizeof(cairn_quadtree_box)), room(cells, sizeof(cairn_quadtree_cell)), room(entries, sizeof(cairn_quadtree_entry)),
+        room(1, sizeof(cairn_quadtree)), room(scene->body_count, sizeof(cairn_quadtree_box)), room(cells, sizeof(cairn_quadtree_cell)),
+        room(entries, sizeof(cairn_quadtree_entry)),
         scene->body_count, cells, entries,
     };
     cairn_block *blocks = runner_is_uneven(scene) ? room(1, sizeof *blocks) : NULL;
@@ -53,6 +54,7 @@ static int run(const cairn_scene *scene, const runner_options *options)
     free(springs.pool);
     free(springs.springs);
     free(tree.tree);
+    free(tree.boxes);
     free(tree.cells);
     free(tree.entries);
     free(blocks);
