@@ -1,7 +1,7 @@
 /*
- * What the engine's own files share, in the order of the step:
- * world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> arbiter.c (refresh) -> collide_*.c (manifold)
- * -> rows.c (prepare) -> solver_soft.c or solver_slides.c, with bounce.c, spring.c and block.c -> body.c (move) -> sleep.c.
+ * What the engine's own files share, in the order of the step: world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> meet.c,
+ * arbiter.c -> collide_*.c (manifold) -> rows.c (prepare) -> solver_soft.c with sweep*.c and slide.c, or solver_slides.c, with bounce*.c,
+ * spring*.c and block*.c -> motion.c (move) -> hold.c -> sleep.c.
  */
 #ifndef CAIRN_ENGINE_H
 #define CAIRN_ENGINE_H

@@ -315,24 +315,33 @@ typedef const uint16_t *way(const cairn_world *world, const uint16_t *at, const 
         return at; \
     }
 
-#define WAYS(pass) \
-    WAY(pass##_careful, careful_##pass, CAIRN_PATH_CAREFUL) \
-    WAY(pass##_on_static, pass, CAIRN_PATH_ON_STATIC) \
-    WAY(pass##_even, pass, CAIRN_PATH_EVEN) \
-    WAY(pass##_shared, pass, CAIRN_PATH_SHARED) \
-    WAY(pass##_single, pass, CAIRN_PATH_SINGLE) \
-    WAY(pass##_central, pass, CAIRN_PATH_CENTRAL) \
-    WAY(pass##_even_central, pass, CAIRN_PATH_EVEN_CENTRAL) \
-    static way *const pass##_ways[] = { pass##_careful, pass##_careful, pass##_on_static, pass##_even, pass##_shared, pass##_single, pass##_central, \
-                                        pass##_even_central };
-
 #define careful_warm_start(world, a, b, arbiter, path, from_last) cairn_careful_warm_start(world, arbiter, from_last)
 #define careful_biased(world, a, b, arbiter, path, from_last) cairn_careful_biased_pass(world, arbiter, from_last)
 #define careful_relax(world, a, b, arbiter, path, from_last) cairn_careful_relax_pass(world, arbiter, from_last)
 
-WAYS(warm_start)
-WAYS(biased)
-WAYS(relax)
+/* The ways that differ most, and those that differ only in what they leave out. */
+#define WIDE_WAYS(pass) \
+    WAY(pass##_careful, careful_##pass, CAIRN_PATH_CAREFUL) \
+    WAY(pass##_even, pass, CAIRN_PATH_EVEN) \
+    WAY(pass##_shared, pass, CAIRN_PATH_SHARED) \
+    WAY(pass##_single, pass, CAIRN_PATH_SINGLE) \
+    WAY(pass##_even_central, pass, CAIRN_PATH_EVEN_CENTRAL)
+#define NARROW_WAYS(pass) \
+    WAY(pass##_on_static, pass, CAIRN_PATH_ON_STATIC) \
+    WAY(pass##_central, pass, CAIRN_PATH_CENTRAL)
+
+/* In the order of the paths, from CAIRN_PATH_CAREFUL on. The warm start comes once a step: what it may do, it does by the wide ways, to the same bits. */
+WIDE_WAYS(warm_start)
+static way *const warm_start_ways[] = { warm_start_careful, warm_start_careful, warm_start_shared, warm_start_even,
+                                        warm_start_shared,  warm_start_single,  warm_start_single, warm_start_even_central };
+WIDE_WAYS(biased)
+NARROW_WAYS(biased)
+static way *const biased_ways[] = { biased_careful, biased_careful, biased_on_static, biased_even,
+                                    biased_shared,  biased_single,  biased_central,   biased_even_central };
+WIDE_WAYS(relax)
+NARROW_WAYS(relax)
+static way *const relax_ways[] = { relax_careful, relax_careful, relax_on_static, relax_even,
+                                   relax_shared,  relax_single,  relax_central,   relax_even_central };
 
 /* ---- over the world ---- */
 
