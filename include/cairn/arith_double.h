@@ -60,7 +60,6 @@ static inline cairn_real cairn_real_sqrt(cairn_real x) { return x > 0 ? sqrt(x) 
 static inline cairn_real cairn_real_length(cairn_real x, cairn_real y) { return sqrt(x * x + y * y); }
 
 static inline cairn_heading cairn_heading_of(cairn_angle a) { return a; }
-static inline cairn_heading cairn_heading_away(cairn_heading heading) { return heading + 4; }
 static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit) { return fabs(a - heading) <= limit; }
 static inline cairn_angle cairn_angle_add(cairn_angle a, cairn_angle b) { return a + b; }
 static inline void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sine)
@@ -283,9 +282,7 @@ static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x / 64; }
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return x * k; }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return x; }
 static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return k; }
-static inline cairn_real cairn_real_tenth(cairn_real x) { return x / 10; }
 static inline cairn_angle cairn_angle_part(cairn_angle a, cairn_unit part) { return a * part; }
-static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return x; }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return x; }
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return ldexp(x, -n); }
 static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return a * b; }
@@ -352,7 +349,6 @@ static inline cairn_factor cairn_factor_reciprocal(cairn_factor f) { return 1 / 
 static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return a * b; }
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return x * x + y * y; }
 static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 ? 1 / f : 2; }
-static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return a * b; }
 static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return a > 0 && b > 0 ? sqrt(a * b) : 0; }
 
 static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }

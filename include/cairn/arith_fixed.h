@@ -193,8 +193,6 @@ cairn_real cairn_real_length(cairn_real x, cairn_real y);
 
 /* A coarse angle in 16 bits, and whether an angle is near it: within the limit, and 0.0001 rad more. */
 static inline cairn_heading cairn_heading_of(cairn_angle a) { return (uint16_t)((uint32_t)a >> 16); }
-/* Half a turn off: near no angle that was near this. */
-static inline cairn_heading cairn_heading_away(cairn_heading heading) { return (uint16_t)(heading ^ 0x8000u); }
 static inline bool cairn_heading_is_near(cairn_heading heading, cairn_angle a, cairn_angle limit)
 {
     return (uint32_t)a - ((uint32_t)heading << 16) + (uint32_t)limit <= 2 * (uint32_t)limit;
@@ -598,10 +596,8 @@ static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x; }
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
 static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
 static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return (cairn_ratio)cairn_clamp(cairn_wide_scale(1, k, 14), INT16_MAX); }
-static inline cairn_real cairn_real_tenth(cairn_real x) { return cairn_mul32(x, 429496730, 32); }
 /* An angle times a fraction in [0, 1]. */
 static inline cairn_angle cairn_angle_part(cairn_angle a, cairn_unit part) { return cairn_mul32(a, part, 30); }
-static inline cairn_wide cairn_wide_from_ratio(cairn_ratio x) { return cairn_wide_of(x, -14); }
 static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
 /* x / 2^n, 0 <= n <= 30 */
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return n > 0 ? (x + (1 << (n - 1))) >> n : x; }
@@ -703,7 +699,6 @@ static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { re
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return ((int32_t)x * x + (int32_t)y * y + 128) >> 8; }
 /* 1 / f, within 0.9 units of Q1.14; just below 2 from f = 0.5 down. */
 cairn_ratio cairn_factor_inverse(cairn_factor f);
-static inline cairn_ratio cairn_ratio_mul(cairn_ratio a, cairn_ratio b) { return (cairn_ratio)(((int32_t)a * b + 8192) >> 14); }
 /* sqrt(a b), both non-negative, rounded to nearest. */
 cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b);
 static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }
