@@ -67,8 +67,6 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     }
     if (!kept || old_count < 2 || arbiter->slip > CAIRN_LET_GO) {
         arbiter->slip = 0; /* of one point it means something else, and in the air */
-    } else if (old_count < 2) {
-        cairn_arbiter_let_go(arbiter); /* where it stuck is not known */
     }
     arbiter->count = (uint8_t)manifold->count;
 }

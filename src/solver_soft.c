@@ -105,16 +105,14 @@ typedef struct fall {
     bool is_slow; /* changes a velocity by less than the limit of speed: n times either fits in the format */
 } fall;
 
-static bool is_within(cairn_motion x, cairn_motion limit) { return x <= limit && -x <= limit; }
-
 static fall fall_of(const cairn_world *world)
 {
     cairn_diffused gx = world->gravity_x, gy = world->gravity_y;
     cairn_motion limit = world->speed_limit;
     fall f;
     f.vx = f.vy = f.dx = f.dy = 0;
-    f.is_slow = is_within(gx.whole, limit) && is_within(gy.whole, limit) && is_within(gx.whole * world->substeps, limit)
-             && is_within(gy.whole * world->substeps, limit);
+    f.is_slow = cairn_motion_is_within(gx.whole, limit) && cairn_motion_is_within(gy.whole, limit)
+             && cairn_motion_is_within(gx.whole * world->substeps, limit) && cairn_motion_is_within(gy.whole * world->substeps, limit);
     for (int k = 0; f.is_slow && k < world->substeps; k++) {
         f.vx += cairn_diffuse(&gx);
         f.vy += cairn_diffuse(&gy);
@@ -133,7 +131,7 @@ static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
 {
     cairn_motion vx = body->vx + f->vx, vy = body->vy + f->vy;
     if (!f->is_slow || !(body->flags & CAIRN_BODY_PLAIN) || body->ux != 0 || body->uy != 0 || body->uw != 0
-        || !is_within(vx, world->speed_limit) || !is_within(vy, world->speed_limit)) {
+        || !cairn_motion_is_within(vx, world->speed_limit) || !cairn_motion_is_within(vy, world->speed_limit)) {
         return false;
     }
     body->dx = body->vx * world->substeps + f->dx;
