@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cairn_tools import host
+from cairn_tools import engine, host, scene
 from cairn_tools.stability import fast, measure, model
 from cairn_tools.stability.cases import CASES
 from cairn_tools.stability.hold import HOLD
@@ -115,6 +115,14 @@ def test_bodies_are_created_and_read_back() -> None:
         turned = (math.cos(0.5) - math.sin(0.5), math.sin(0.5) + math.cos(0.5))
         assert state == pytest.approx([1 + turned[0], 2 + turned[1], 0.5, 3.0, -4.0, 2.0], abs=close)
         assert world.mass(body) == pytest.approx(9.0, rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["basic", "bridge", "curtain_demo", "rolling_demo"])
+def test_a_scene_built_in_python_ends_in_the_state_of_the_runner(name: str) -> None:
+    loaded = scene.load(scene.find(name))
+    world, _ = host.build(loaded)
+    world.step(240)
+    assert world.hash == engine.run(loaded, "q16", "host", 240, 0).hash
 
 
 def test_what_the_engine_refuses_is_an_error_with_its_status() -> None:

@@ -38,8 +38,8 @@ class Material:
 PRESETS = {
     "default": Material(0.5, 0.4, 0.0),
     "ice": Material(0.05, 0.02, 0.0),
-    "metal": Material(0.6, 0.4, 0.1),
-    "jelly": Material(0.9, 0.7, 0.6),
+    "metal": Material(0.6, 0.4, 0.1, 0.5),
+    "jelly": Material(0.9, 0.7, 0.6, 0.5),
 }
 
 
