@@ -6,8 +6,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import asdict, replace
 from enum import Enum
 from pathlib import Path
@@ -16,8 +15,6 @@ from time import monotonic
 from typing import Annotated, Any, NoReturn
 
 import typer
-from rich.console import Console
-from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from . import bench as bench_module
@@ -31,13 +28,13 @@ from . import kept as kept_module
 from . import memory as memory_module
 from . import peers as peers_module
 from . import profile as profile_module
+from .accuracy import command as accuracy_module
 from .errors import UserError
 from .stability import command as stability_module
 from .stability import report as stability_report
+from .terminal import Core, JsonOption, folder, out, working, writable
 from .trajectory import Trajectory
 
-out = Console()
-err = Console(stderr=True)
 app = typer.Typer(
     help="Cairn: 2-D rigid-body physics for microcontrollers. Runs, compares and measures scenes.",
     no_args_is_help=True,
@@ -46,17 +43,20 @@ app = typer.Typer(
 )
 
 Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
-Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
 GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGETS}, type=str)
 Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 
 # Options of a verb that take several values at once.
-SEVERAL = {"bench": {"--core", "--scene"}, "golden": {"--targets"}, "stability": {"--case", "--engine", "--solver"}}
+SEVERAL = {
+    "accuracy": {"--core", "--scene"},
+    "bench": {"--core", "--scene"},
+    "golden": {"--targets"},
+    "stability": {"--case", "--engine", "--solver"},
+}
 
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
 Show = Callable[[Table], None]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
 SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
 PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' solver.")]
@@ -121,20 +121,20 @@ def run(
     if csv == "-" and (hash_only or as_json):
         raise UserError("--csv - prints nothing else: leave out --hash and --json")
     only_hash = hash_only and not (csv or svg or png or gif or as_json)
-    with _working(f"{loaded.name} on {on.value}"):
+    with working(f"{loaded.name} on {on.value}"):
         got = engine.run(loaded, arithmetic.value, on.value, steps, 0 if only_hash else every)
     poses = got.trajectory.poses
     if csv == "-":
         _print_csv(got.trajectory)
     elif csv:
-        with _writable(csv).open("w", encoding="utf-8") as file:
+        with writable(csv).open("w", encoding="utf-8") as file:
             got.trajectory.write_csv(file)
     if svg:
-        _writable(svg).write_text(draw.svg(loaded, poses, got.contacts), encoding="utf-8")
+        writable(svg).write_text(draw.svg(loaded, poses, got.contacts), encoding="utf-8")
     if png:
-        draw.png(_writable(png), loaded, poses, got.contacts)
+        draw.png(writable(png), loaded, poses, got.contacts)
     if gif:
-        draw.gif(_writable(gif), loaded, poses, every / loaded.steps_per_second)
+        draw.gif(writable(gif), loaded, poses, every / loaded.steps_per_second)
     if csv == "-":
         return
     if hash_only:
@@ -156,7 +156,7 @@ def compare(
 ) -> None:
     """How far fixed point and double are apart: the same algorithm, so the difference is rounding."""
     loaded = _scene(scene_file, solver, substeps, passes)
-    with _working(f"{loaded.name}, q16 and f64"):
+    with working(f"{loaded.name}, q16 and f64"):
         q16, f64 = (engine.run(loaded, arithmetic, "host", steps, 1).trajectory for arithmetic in ("q16", "f64"))
     rows = compare_module.selected(compare_module.differences(loaded, q16, f64))
     total = compare_module.overall(loaded, q16, f64)
@@ -234,7 +234,7 @@ def bench(
         return
     scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
     results = []
-    with _working("bench") as say:
+    with working("bench") as say:
         for loaded in scenes:
             for name in cores:
                 say(f"{loaded.name} on {name}")
@@ -260,7 +260,7 @@ def bench(
 def _bench_peers(scenes: list[scene.Scene], cores: list[str], as_json: bool, show: Show) -> None:
     """Measures all engines; exit code 1 if one does not stand, for then its cost means nothing."""
     rows: list[list[peers_module.Cost]] = []
-    with _working("peers") as say:
+    with working("peers") as say:
         versions = peers_module.fetch()
         for loaded in scenes:
             for name in cores:
@@ -281,7 +281,7 @@ def _bench_peers(scenes: list[scene.Scene], cores: list[str], as_json: bool, sho
 def _bench_host(rounds: int, as_json: bool, show: Show) -> None:
     """Times all engines; exit code 1 if one does not stand."""
     times: list[host_module.Time] = []
-    with _working("bench --host") as say:
+    with working("bench --host") as say:
         versions = host_module.fetch()
         for name in host_module.SCENES:
             times += host_module.measure(host_module.load(name), versions, rounds, say)
@@ -300,7 +300,7 @@ def _bench_host(rounds: int, as_json: bool, show: Show) -> None:
 def _bench_memory(cores: list[str], keep: bool, check: bool, as_json: bool, show: Show) -> None:
     """Exit code 1 only where --check finds more than is on record: a goal that is missed is only told."""
     started = monotonic()
-    with _working("bench --memory") as say:
+    with working("bench --memory") as say:
         rows = memory_module.measure(cores, memory_module.SCENES, say)
     if as_json:
         print(json.dumps(bench_tables.memory_record(rows), indent=2))
@@ -322,7 +322,7 @@ def _bench_memory(cores: list[str], keep: bool, check: bool, as_json: bool, show
 def _bench_record(keep: bool) -> None:
     """Writes the record, or checks it; tools/test reads the last line."""
     started = monotonic()
-    with _working("bench") as say:
+    with working("bench") as say:
         if keep:
             kept_module.write(say)
             print(f"{kept_module.FILE.relative_to(engine.ROOT)} is written")
@@ -343,7 +343,7 @@ def _bench_cycles(scenes: list[scene.Scene], cores: list[str], profile: bool, as
     if not chips:
         raise UserError(f"--cycles --core {' '.join(cores)}: {cycles_module.NOT_ESTIMATED}")
     rows, checks, profiles = [], [], {}
-    with _working("bench --cycles") as say:
+    with working("bench --cycles") as say:
         for loaded in scenes:
             say(f"{loaded.name} on {', '.join(chip.name for chip in chips)}")
             of_scene, check = cycles_module.measure(loaded, chips)
@@ -364,8 +364,8 @@ def _bench_cycles(scenes: list[scene.Scene], cores: list[str], profile: bool, as
 
 def _bench_growth(cores: list[str], plot: Path | None, as_json: bool, show: Show) -> None:
     """Worlds of growing size."""
-    file = _writable(plot) if plot else None
-    with _working("bench --growth") as say:
+    file = writable(plot) if plot else None
+    with working("bench --growth") as say:
         points = growth_module.measure(cores, growth_module.SIZES, say)
     if file:
         growth_module.plot(points, cores[0], file)
@@ -406,11 +406,11 @@ def stability(
     part = "quick" if quick and not long else "long" if long and not quick else "all"
     wished = ([value.value for value in values or ()] for values in (arithmetic, solver))
     jobs = stability_module.jobs(part, case or [], *wished)
-    with _working("stability") as say:
+    with working("stability") as say:
         results = list(stability_module.results(jobs, workers, say))
         if plots:
             say("plots")
-            stability_module.draw(_folder(plots), workers)
+            stability_module.draw(folder(plots), workers)
     if as_json:
         print(stability_module.as_json(results))
     elif markdown:
@@ -419,6 +419,9 @@ def stability(
         stability_report.show(results, out)
     if not all(result.ok for result in results if result.decides):
         raise typer.Exit(1)
+
+
+app.command()(accuracy_module.accuracy)
 
 
 @app.command()
@@ -433,7 +436,7 @@ def golden(
 ) -> None:
     """Hold every scene to the same state after 600 steps, on all compilers and cores, and to the one on record."""
     started = monotonic()
-    with _working("golden hashes") as say:
+    with working("golden hashes") as say:
         if write is not None:
             changed = golden_module.write(write, say)
             print("the hashes and CHANGELOG.md are written" if changed else "the hashes are those on record")
@@ -470,7 +473,7 @@ def table_command(
     if name and not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
         raise UserError(f"--name {name}: is no name in C")
     text = engine.table(loaded, name or "scene_" + re.sub(r"[^A-Za-z0-9]", "_", loaded.name))
-    _writable(out_file).write_text(text, encoding="utf-8")
+    writable(out_file).write_text(text, encoding="utf-8")
 
 
 def _scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:
@@ -488,34 +491,6 @@ def _print_csv(trajectory: Trajectory) -> None:
     except BrokenPipeError:
         # What is left in the buffer has nowhere to go.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def _folder(path: Path) -> Path:
-    """A folder to write into, made where it is missing."""
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UserError(f"{path}: {error.strerror}") from error
-    return path
-
-
-def _writable(file: Path | str) -> Path:
-    """A path in a folder that exists."""
-    path = Path(file)
-    if not path.parent.is_dir():
-        raise UserError(f"{path}: no folder {path.parent}")
-    if path.is_dir():
-        raise UserError(f"{path}: is a folder")
-    return path
-
-
-@contextmanager
-def _working(what: str) -> Iterator[Any]:
-    """A spinner on stderr while something runs; gives a function that changes its text."""
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
-        task = progress.add_task(what)
-        yield lambda text: progress.update(task, description=text)
 
 
 def _unit(got: engine.Run) -> str:

@@ -1,0 +1,50 @@
+"""What the verbs of tools/cairn share: the two consoles, options, a spinner, and paths to write to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from enum import Enum
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from . import engine
+from .errors import UserError
+
+out = Console()
+err = Console(stderr=True)
+
+Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
+
+
+@contextmanager
+def working(what: str) -> Iterator[Any]:
+    """A spinner on stderr while something runs; gives a function that changes its text."""
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
+        task = progress.add_task(what)
+        yield lambda text: progress.update(task, description=text)
+
+
+def folder(path: Path) -> Path:
+    """A folder to write into, made where it is missing."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UserError(f"{path}: {error.strerror}") from error
+    return path
+
+
+def writable(file: Path | str) -> Path:
+    """A path in a folder that exists."""
+    path = Path(file)
+    if not path.parent.is_dir():
+        raise UserError(f"{path}: no folder {path.parent}")
+    if path.is_dir():
+        raise UserError(f"{path}: is a folder")
+    return path
