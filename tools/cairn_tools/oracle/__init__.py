@@ -1,0 +1,1 @@
+"""The oracle: an independent reference for scenes, in double, that shares no code with the engine."""
