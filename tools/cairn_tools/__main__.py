@@ -1,5 +1,7 @@
 """python -m cairn_tools: what tools/cairn starts."""
 
-from .app import main
+# Processes that a sweep starts import this file too.
+if __name__ == "__main__":
+    from .app import main
 
-main()
+    main()

@@ -32,6 +32,7 @@ from .accuracy import command as accuracy_module
 from .errors import UserError
 from .stability import command as stability_module
 from .stability import report as stability_report
+from .sweep.verb import sweep
 from .terminal import Core, JsonOption, folder, out, working, writable
 from .trajectory import Trajectory
 
@@ -53,6 +54,7 @@ SEVERAL = {
     "bench": {"--core", "--scene"},
     "golden": {"--targets"},
     "stability": {"--case", "--engine", "--solver"},
+    "sweep": {"--core", "--vary"},
 }
 
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
@@ -474,6 +476,9 @@ def table_command(
         raise UserError(f"--name {name}: is no name in C")
     text = engine.table(loaded, name or "scene_" + re.sub(r"[^A-Za-z0-9]", "_", loaded.name))
     writable(out_file).write_text(text, encoding="utf-8")
+
+
+app.command()(sweep)
 
 
 def _scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:

@@ -1,0 +1,1 @@
+"""Large sweeps over scenes and settings, run on Dask: `tools/cairn sweep`."""
