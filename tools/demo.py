@@ -36,7 +36,7 @@ def measure(scene: str) -> dict[str, Any]:
     picture = PICTURES / f"{Path(scene).stem}.png"
     host = json.loads(cairn("run", scene, *steps, "--json", "--png", str(picture)))
     cores = {core: json.loads(cairn("run", scene, *steps, "--on", core, "--json")) for core in ("m0", "m3")}
-    distance = json.loads(cairn("compare", scene, *steps, "--json"))["overall"]["max_position"]
+    distance = json.loads(cairn("compare", scene, *steps, "--rounding", "--json"))["overall"]["max_position"]
     hashes = {host["hash"], *(run["hash"] for run in cores.values())}
     return {
         "scene": host["scene"],

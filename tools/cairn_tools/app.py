@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections.abc import Callable
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from enum import Enum
 from pathlib import Path
 from statistics import mean
@@ -19,7 +19,7 @@ from rich.table import Table
 
 from . import bench as bench_module
 from . import bench_tables, draw, engine, scene
-from . import compare as compare_module
+from . import compare_command as compare_module
 from . import cycles as cycles_module
 from . import golden as golden_module
 from . import growth as growth_module
@@ -33,7 +33,20 @@ from .errors import UserError
 from .stability import command as stability_module
 from .stability import report as stability_report
 from .sweep.verb import sweep
-from .terminal import Core, JsonOption, folder, out, working, writable
+from .terminal import (
+    Core,
+    JsonOption,
+    PassesOption,
+    SceneArgument,
+    Solver,
+    SolverOption,
+    SubstepsOption,
+    folder,
+    load_scene,
+    out,
+    working,
+    writable,
+)
 from .trajectory import Trajectory
 
 app = typer.Typer(
@@ -46,7 +59,6 @@ app = typer.Typer(
 Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
 GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGETS}, type=str)
-Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 
 # Options of a verb that take several values at once.
 SEVERAL = {
@@ -57,11 +69,7 @@ SEVERAL = {
     "sweep": {"--core", "--vary"},
 }
 
-SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
 Show = Callable[[Table], None]
-SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
-SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
-PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' solver.")]
 
 
 def main() -> NoReturn:
@@ -117,7 +125,7 @@ def run(
     as_json: JsonOption = False,
 ) -> None:
     """Simulate a scene, on the host or on an emulated core."""
-    loaded = _scene(scene_file, solver, substeps, passes)
+    loaded = load_scene(scene_file, solver, substeps, passes)
     if arithmetic.value == "f64" and on.value != "host":
         raise UserError("--engine f64 runs on the host only")
     if csv == "-" and (hash_only or as_json):
@@ -147,36 +155,7 @@ def run(
         out.print(_run_table(loaded, got))
 
 
-@app.command()
-def compare(
-    scene_file: SceneArgument,
-    steps: Annotated[int, typer.Option(min=1, max=1_000_000)] = 120,
-    solver: SolverOption = None,
-    substeps: SubstepsOption = None,
-    passes: PassesOption = None,
-    as_json: JsonOption = False,
-) -> None:
-    """How far fixed point and double are apart: the same algorithm, so the difference is rounding."""
-    loaded = _scene(scene_file, solver, substeps, passes)
-    with working(f"{loaded.name}, q16 and f64"):
-        q16, f64 = (engine.run(loaded, arithmetic, "host", steps, 1).trajectory for arithmetic in ("q16", "f64"))
-    rows = compare_module.selected(compare_module.differences(loaded, q16, f64))
-    total = compare_module.overall(loaded, q16, f64)
-    if as_json:
-        record = {"scene": loaded.name, "steps": steps, "engines": ["q16", "f64"],
-                  "overall": asdict(total), "selected": [asdict(row) for row in rows]}  # fmt: skip
-        print(json.dumps(record, indent=2))
-        return
-    grid = Table(title=f"{loaded.name}: q16 against f64, {steps} steps", caption="metres and radians, over what moves")
-    for column in ("step", "rms distance", "largest distance", "rms angle", "largest angle", "of body"):
-        grid.add_column(column, justify="right")
-    for row in [*rows, total]:
-        if row is total:
-            grid.add_section()
-        label = "all" if row.step is None else str(row.step)
-        numbers = (row.rms_position, row.max_position, row.rms_angle, row.max_angle)
-        grid.add_row(label, *(f"{value:.2e}" for value in numbers), str(row.worst_body))
-    out.print(grid)
+app.command()(compare_module.compare)
 
 
 @app.command()
@@ -222,7 +201,7 @@ def bench(
             raise UserError("--peers takes --core, --scene, --markdown and --json only")
         if unfit := [name for name in cores if name not in peers_module.CORES]:
             raise UserError(f"--peers runs on {' '.join(peers_module.CORES)}, not on {unfit[0]}")
-        wished = [_scene(name, None, None, None) for name in scene_name or kept_module.SCENES]
+        wished = [load_scene(name, None, None, None) for name in scene_name or kept_module.SCENES]
         _bench_peers(wished, cores, as_json, show)
         return
     if growth or plot:
@@ -231,10 +210,10 @@ def bench(
         _bench_growth([c.value for c in core or ()] or ["m0"], plot, as_json, show)
         return
     if cycles:
-        wished = [_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
+        wished = [load_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
         _bench_cycles(wished, [c.value for c in core or ()], profile, as_json, show)
         return
-    scenes = [_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
+    scenes = [load_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
     results = []
     with working("bench") as say:
         for loaded in scenes:
@@ -471,7 +450,7 @@ def table_command(
     name: Annotated[str, typer.Option(help="Name of the C constant; default scene_ and the scene's name.")] = "",
 ) -> None:
     """Convert a scene to a const C table for firmware."""
-    loaded = _scene(scene_file, None, None, None)
+    loaded = load_scene(scene_file, None, None, None)
     if name and not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
         raise UserError(f"--name {name}: is no name in C")
     text = engine.table(loaded, name or "scene_" + re.sub(r"[^A-Za-z0-9]", "_", loaded.name))
@@ -479,13 +458,6 @@ def table_command(
 
 
 app.command()(sweep)
-
-
-def _scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:
-    """The scene with the settings of the command line in place of its own."""
-    loaded = scene.load(scene.find(name))
-    given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
-    return replace(loaded, **{key: value for key, value in given.items() if value is not None})
 
 
 def _print_csv(trajectory: Trajectory) -> None:

@@ -1,13 +1,31 @@
-"""How far two runs of one scene are apart: positions in metres, angles in radians, over what can move."""
+"""How far runs of one scene are apart, and why: rounding, solver, time step, each by the run that is without it.
+
+    rounding    fixed point (q16) against the same algorithm in double (f64)
+    solver      f64 against the constraints solved to convergence at the same sub-step (the oracle at that fineness)
+    time step   converged at that sub-step against the reference: a closed form, or the oracle at dt/64
+    total       q16 against the reference
+
+Positions in metres, angles in radians, over what can move. The signed differences add up to the total; the sizes told
+here need not.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
+from . import engine, horizon, reference
+from .horizon import Horizon
+from .overlap import Surfaces
+from .physics import Physics
 from .scene import Scene
 from .trajectory import Trajectory
+
+RUNS = ("q16", "f64", "converged", "reference")
+ERRORS = ("rounding", "solver", "time step")
 
 
 @dataclass(frozen=True)
@@ -20,6 +38,87 @@ class Difference:
     rms_angle: float
     max_angle: float
     worst_body: int
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What of a run can be compared when its bodies cannot. Energy is above the start's, in joules."""
+
+    run: str
+    energy: float
+    highest_energy: float
+    momentum: tuple[float, float]
+    deepest_penetration: float
+    mean_height: float
+    top_height: float
+    seconds_to_rest: float  # not a number: it does not come to rest
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Differences step by step up to the horizon, and over all of these; outcomes at the end of the whole run."""
+
+    scene: str
+    steps: int
+    reference: str
+    horizon: Horizon
+    errors: dict[str, list[Difference]]
+    overall: dict[str, Difference]
+    outcomes: list[Outcome]
+
+
+Say = Callable[[str], None]
+
+
+def compare(scene: Scene, steps: int, say: Say, with_oracle: bool = True) -> Comparison:
+    """Runs the engine twice, their twins, and the oracle twice."""
+    runs = {}
+    for name in RUNS[:2]:
+        say(f"{scene.name}: {name}")
+        runs[name] = engine.run(scene, name, "host", steps, 1).trajectory
+    say(f"{scene.name}: twins an LSB away")
+    until = horizon.find(scene, runs)
+    against = ""
+    if with_oracle:
+        say(f"{scene.name}: converged, {_own_fineness(scene)} a step")
+        runs["converged"] = reference.converged(scene, steps, _own_fineness(scene))
+        say(f"{scene.name}: reference")
+        against, runs["reference"] = reference.best(scene, steps)
+    pairs = dict(zip(ERRORS, pairwise(runs), strict=False))
+    if with_oracle:
+        pairs["total"] = ("q16", "reference")
+    cut = {name: _until(run, until.step) for name, run in runs.items()}
+    return Comparison(
+        scene=scene.name,
+        steps=steps,
+        reference=against,
+        horizon=until,
+        errors={name: differences(scene, cut[a], cut[b]) for name, (a, b) in pairs.items()},
+        overall={name: overall(scene, cut[a], cut[b]) for name, (a, b) in pairs.items()},
+        outcomes=[outcome(scene, name, run) for name, run in runs.items()],
+    )
+
+
+def _own_fineness(scene: Scene) -> int:
+    """The slides' solver takes a step whole."""
+    return scene.substeps if scene.solver == "soft" else 1
+
+
+def outcome(scene: Scene, name: str, run: Trajectory) -> Outcome:
+    """Of a run that recorded every step."""
+    physics, surfaces = Physics(scene), Surfaces.of(scene)
+    energy = physics.energy(run.states)
+    heights = physics.heights(run.states[-1:])[0]
+    return Outcome(
+        run=name,
+        energy=float(energy[-1] - energy[0]),
+        highest_energy=float(energy.max() - energy[0]),
+        momentum=tuple(map(float, physics.momentum(run.states[-1:])[0])),
+        deepest_penetration=max(surfaces.penetration(poses) for poses in run.poses),
+        mean_height=float(heights.mean()),
+        top_height=float(heights.max()),
+        seconds_to_rest=physics.time_to_rest(run),
+    )
 
 
 def differences(scene: Scene, a: Trajectory, b: Trajectory) -> list[Difference]:
@@ -38,6 +137,11 @@ def selected(entries: list[Difference], count: int = 10) -> list[Difference]:
     if len(entries) <= count:
         return entries
     return [entries[round(k * (len(entries) - 1) / (count - 1))] for k in range(count)]
+
+
+def _until(run: Trajectory, step: int) -> Trajectory:
+    kept = run.steps <= step
+    return Trajectory(run.steps[kept], run.states[kept])
 
 
 def _gaps(scene: Scene, a: Trajectory, b: Trajectory) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -95,8 +95,9 @@ def run_built(scene: Scene, target: str, image: Path, steps: int, every: int) ->
 
 
 def _words(scene: Scene, steps: int, every: int) -> list[str]:
-    words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}"]
-    return [*words, f"substeps={scene.substeps}", f"passes={scene.passes}"]
+    words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}", f"sleep={int(scene.sleep)}"]
+    words += [f"substeps={scene.substeps}", f"passes={scene.passes}", f"rate={scene.steps_per_second}"]
+    return [*words, f"broad={scene.broad_phase}"]
 
 
 def run_image(

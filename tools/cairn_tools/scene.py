@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -125,6 +125,15 @@ class Scene:
 
     def shape_of(self, body: Body) -> Shape:
         return self.shapes[body.shape]
+
+
+# The fields of a file that say how it is run, not what is in it.
+SETTINGS = ("steps_per_second", "substeps", "solver", "passes", "broad_phase", "sleep")
+
+
+def with_settings_of(scene: Scene, other: Scene) -> Scene:
+    """The scene as the other is run."""
+    return replace(scene, **{name: getattr(other, name) for name in SETTINGS})
 
 
 def find(name_or_file: str) -> Path:
@@ -274,7 +283,6 @@ def _build(data: dict[str, Any], path: Path) -> Scene:
             _fail(["bodies", i, "density"], f"gives a mass of {mass:g} kg; it must be {MASSES[0]:g} to {MASSES[1]:g}")
         bodies.append(body)
     springs = [_spring(values, bodies, ["springs", i]) for i, values in enumerate(data.get("springs", []))]
-    options = ("steps_per_second", "substeps", "solver", "passes", "broad_phase", "sleep")
     return Scene(
         name=data["name"],
         path=path,
@@ -283,7 +291,7 @@ def _build(data: dict[str, Any], path: Path) -> Scene:
         bodies=bodies,
         springs=springs,
         gravity=_pair(data.get("gravity", [0.0, -10.0])),
-        **{key: data[key] for key in options if key in data},
+        **{key: data[key] for key in SETTINGS if key in data},
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,14 +21,19 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from . import engine
+from . import engine, scene
 from .errors import UserError
 
 out = Console()
 err = Console(stderr=True)
 
 Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
+Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
+SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
+SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
+SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
+PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' solver.")]
 
 
 @contextmanager
@@ -66,3 +72,10 @@ def writable(file: Path | str) -> Path:
     if path.is_dir():
         raise UserError(f"{path}: is a folder")
     return path
+
+
+def load_scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:
+    """The scene with the settings of the command line in place of its own."""
+    loaded = scene.load(scene.find(name))
+    given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
+    return replace(loaded, **{key: value for key, value in given.items() if value is not None})

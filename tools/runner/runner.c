@@ -13,6 +13,9 @@ runner_options runner_options_default(void)
     options.substeps = 0;
     options.passes = 0;
     options.solver = -1;
+    options.rate = 0;
+    options.broad = -1;
+    options.sleep = -1;
     return options;
 }
 
@@ -36,6 +39,13 @@ static bool number_of(const char *text, uint32_t *out)
     return digits > 0 && (text[digits] == '\0' || text[digits] == ' ');
 }
 
+/* Whether the word is the one given: of words that end at a space. */
+static bool is_word(const char *word, const char *wanted)
+{
+    const size_t length = strlen(wanted);
+    return strncmp(word, wanted, length) == 0 && (word[length] == '\0' || word[length] == ' ');
+}
+
 static bool take_number(const char *word, const char *name, uint32_t *out)
 {
     const char *value = value_of(word, name);
@@ -57,10 +67,18 @@ bool runner_options_take(runner_options *options, const char *word)
         options->substeps = (int)number;
     } else if (take_number(word, "passes", &number) && number <= 100) {
         options->passes = (int)number;
-    } else if (value_of(word, "solver") != NULL && strncmp(word, "solver=soft", 11) == 0) {
+    } else if (take_number(word, "rate", &number) && number <= 1000) {
+        options->rate = number;
+    } else if (take_number(word, "sleep", &number)) {
+        options->sleep = number != 0;
+    } else if (is_word(word, "solver=soft")) {
         options->solver = CAIRN_SCENE_SOFT;
-    } else if (value_of(word, "solver") != NULL && strncmp(word, "solver=slides", 13) == 0) {
+    } else if (is_word(word, "solver=slides")) {
         options->solver = CAIRN_SCENE_SLIDES;
+    } else if (is_word(word, "broad=pairs")) {
+        options->broad = CAIRN_SCENE_PAIRS;
+    } else if (is_word(word, "broad=quadtree")) {
+        options->broad = CAIRN_SCENE_QUADTREE;
     } else {
         return false;
     }
@@ -177,6 +195,15 @@ static cairn_scene with_options(const cairn_scene *scene, const runner_options *
     }
     if (options->solver >= 0) {
         changed.solver = (cairn_scene_solver)options->solver;
+    }
+    if (options->rate > 0) {
+        changed.rate = cairn_real_from_int((int)options->rate);
+    }
+    if (options->broad >= 0) {
+        changed.broad = (cairn_scene_broad)options->broad;
+    }
+    if (options->sleep >= 0) {
+        changed.sleep = options->sleep != 0;
     }
     return changed;
 }

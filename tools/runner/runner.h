@@ -20,13 +20,18 @@
 #include "runner_number.h"
 #include "scene.h"
 
-/* What a run is asked for, in words: steps=600 every=10 costs=1 contacts=1 solver=slides substeps=8 passes=20 */
+/*
+ * What a run is asked for, in words: steps=600 every=10 costs=1 contacts=1 solver=slides substeps=8 passes=20 rate=120
+ * broad=quadtree sleep=1. A tree needs the memory of a scene that has one.
+ */
 typedef struct runner_options {
     uint32_t steps;
     uint32_t every;    /* print the state of each so many steps; 0: of none */
     bool costs, contacts;
     int substeps, passes;  /* 0: the scene's own */
     int solver;            /* a cairn_scene_solver; -1: the scene's own */
+    uint32_t rate;         /* steps per second; 0: the scene's own */
+    int broad, sleep;      /* a cairn_scene_broad, 0 or 1; -1: the scene's own */
 } runner_options;
 
 /* Memory of a run beside the world's, one of each per body of the scene. */

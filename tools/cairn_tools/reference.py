@@ -1,0 +1,23 @@
+"""What runs are measured against: a closed form where the scene has one, else the oracle at 1/64 of a step."""
+
+from __future__ import annotations
+
+from . import oracle
+from .oracle import closed_forms
+from .scene import Scene
+from .trajectory import Trajectory
+
+FINENESS = 64  # parts of a step
+
+
+def best(scene: Scene, steps: int, every: int = 1) -> tuple[str, Trajectory]:
+    """What it is, and its states."""
+    known = closed_forms.find(scene)
+    if known and known.horizon >= steps / scene.steps_per_second:
+        return f"closed form: {known.name}", known.trajectory(scene, steps, every)
+    return f"run of the oracle at dt/{FINENESS}", converged(scene, steps, FINENESS, every)
+
+
+def converged(scene: Scene, steps: int, fineness: int, every: int = 1) -> Trajectory:
+    """All constraints solved in each of so many parts of a step."""
+    return oracle.run(scene, steps, every=every, fineness=fineness).trajectory
