@@ -30,6 +30,7 @@ from . import peers as peers_module
 from . import profile as profile_module
 from .accuracy import command as accuracy_module
 from .errors import UserError
+from .report.verb import report
 from .stability import command as stability_module
 from .stability import report as stability_report
 from .sweep.verb import sweep
@@ -457,6 +458,7 @@ def table_command(
     writable(out_file).write_text(text, encoding="utf-8")
 
 
+app.command()(report)
 app.command()(sweep)
 
 

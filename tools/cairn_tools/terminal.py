@@ -16,6 +16,7 @@ from rich.progress import (
     MofNCompleteColumn,
     Progress,
     SpinnerColumn,
+    TaskProgressColumn,
     TextColumn,
     TimeElapsedColumn,
     TimeRemainingColumn,
@@ -53,6 +54,16 @@ def bar(what: str) -> Iterator[Callable[[int, int], None]]:
     with Progress(*columns, *times, console=err, transient=True, disable=not err.is_terminal) as progress:
         task = progress.add_task(what, total=None)
         yield lambda done, total: progress.update(task, completed=done, total=total)
+
+
+@contextmanager
+def share(what: str) -> Iterator[Callable[[float, float, str], None]]:
+    """A bar of percents; gives a function that says how much of how much is done, and what ended last."""
+    columns = (SpinnerColumn(), BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, TextColumn("{task.description}"), console=err, transient=True,
+                  disable=not err.is_terminal) as progress:  # fmt: skip
+        task = progress.add_task(what, total=None)
+        yield lambda done, total, at: progress.update(task, completed=done, total=total, description=at)
 
 
 def folder(path: Path) -> Path:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from itertools import groupby
 from typing import Any
 
 from rich.box import SIMPLE_HEAD
@@ -93,11 +95,16 @@ def _is_stretch(result: Result) -> bool:
     return not result.error and all(figure.stretch for figure in result.figures)
 
 
+def counts(results: list[Result]) -> tuple[int, int]:
+    """How many of the deciding rows hold, and how many there are."""
+    deciding = [result for result in results if result.decides and not _is_stretch(result)]
+    return sum(result.ok for result in deciding), len(deciding)
+
+
 def closing(results: list[Result]) -> str:
     """One line: how many of the deciding rows hold."""
-    deciding = [result for result in results if result.decides and not _is_stretch(result)]
-    held = sum(result.ok for result in deciding)
-    line = f"{held} of {len(deciding)} rows hold"
+    held, deciding = counts(results)
+    line = f"{held} of {deciding} rows hold"
     baseline = [result for result in results if not result.decides]
     if baseline:
         line += f"; under the slides' scheme {sum(not result.ok for result in baseline)} of {len(baseline)} fall"
@@ -123,27 +130,47 @@ HEADINGS = {
 }
 
 
-def markdown(results: list[Result]) -> str:
-    """The results as docs/STABILITY.md has them: one line a case, its figures in fixed point and in double."""
-    lines: list[str] = []
+@dataclass(frozen=True)
+class Line:
+    """A case, its verdict in fixed point and in double, and the figures of both."""
+
+    heading: str
+    case: str
+    q16: str
+    f64: str
+    figures: str  # what falls short is between **
+    peers: str
+
+
+def lines(results: list[Result]) -> Iterator[Line]:
+    """One line a case, under the headings in turn; of the engine's own solver."""
     soft = [result for result in results if result.decides]
     for file, heading in HEADINGS.items():
         names = dict.fromkeys(r.case for r in soft if CASES[r.case].check.__module__.endswith(f".{file}"))
-        if not names:
-            continue
-        lines += [f"### {heading}", "", "| case | q16 | f64 | figures in q16 (f64) |", "| --- | --- | --- | --- |"]
         for name in names:
             by_engine = {result.engine: result for result in soft if result.case == name}
-            verdicts = (_plain(by_engine[engine]) if engine in by_engine else "" for engine in ("q16", "f64"))
-            lines.append(f"| `{name}` | {' | '.join(verdicts)} | {_figures(by_engine)} |")
-        lines.append("")
-    return "\n".join([*lines, closing(results)])
+            verdicts = [_plain(by_engine[engine]) if engine in by_engine else "" for engine in ("q16", "f64")]
+            yield Line(heading, name, *verdicts, _figures(by_engine), CASES[name].peers)
+
+
+def markdown(results: list[Result]) -> str:
+    """The results as docs/STABILITY.md has them."""
+    text: list[str] = []
+    for heading, own in groupby(lines(results), key=lambda line: line.heading):
+        text += [f"### {heading}", "", "| case | q16 | f64 | figures in q16 (f64) |", "| --- | --- | --- | --- |"]
+        text += [f"| `{line.case}` | {_bold(line.q16)} | {_bold(line.f64)} | {line.figures} |" for line in own]
+        text.append("")
+    return "\n".join([*text, closing(results)])
+
+
+def _bold(verdict: str) -> str:
+    return f"**{verdict}**" if verdict == "short" else verdict
 
 
 def _plain(result: Result) -> str:
     if _is_stretch(result) and not all(figure.ok for figure in result.figures):
         return "stretch: open"
-    return "holds" if result.ok else "**short**"
+    return "holds" if result.ok else "short"
 
 
 def _figures(by_engine: dict[str, Result]) -> str:

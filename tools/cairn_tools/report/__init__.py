@@ -1,0 +1,1 @@
+"""Everything that is measured of Cairn on one page: `tools/cairn report`."""
