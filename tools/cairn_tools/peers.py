@@ -65,6 +65,7 @@ class Output:
     ends: list[Point | None] = field(default_factory=list)
     costs: list[int] = field(default_factory=list)
     numbers: dict[str, int] = field(default_factory=dict)
+    poses: list[list[tuple[float, ...]]] = field(default_factory=list)  # x, y, angle of each body; NaN where lost
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ def settings(versions: dict[str, str]) -> dict[str, str]:
 def measure(scene: Scene, core: str, versions: dict[str, str]) -> Iterator[Cost]:
     """Cairn first, then the peers."""
     with tempfile.TemporaryDirectory(prefix="cairn-") as folder:
-        sizes = _build(scene, core, Path(folder))
+        sizes = link(scene, core, Path(folder))
         cairn = None
         for name in ENGINES:
             output = parse(engine.run_image(scene, core, Path(folder) / f"{name}.elf", [str(bench.LAST_STEP)]))
@@ -120,7 +121,7 @@ def measure(scene: Scene, core: str, versions: dict[str, str]) -> Iterator[Cost]
             yield cost
 
 
-def _build(scene: Scene, core: str, folder: Path) -> dict[str, Sizes]:
+def link(scene: Scene, core: str, folder: Path) -> dict[str, Sizes]:
     """Links the images of a scene into the folder; gives their sizes."""
     emulated = engine.CORES[core]
     text, own = table(scene), engine.table(scene, "cairn_the_scene")
@@ -176,8 +177,13 @@ def parse(text: str) -> Output:
                 lost = LOST in (int(x), int(y))
                 place = None if lost else (int(x) / 65536, int(y) / 65536)
                 (output.starts if name == "start" else output.ends).append(place)
+            case [x, y, angle]:
+                numbers = [int(value) for value in (x, y, angle)]
+                output.poses[-1].append(tuple(math.nan if n == LOST else n / 65536 for n in numbers))
             case ["cost", number]:
                 output.costs.append(int(number))
+            case ["state", _]:
+                output.poses.append([])
             case ["heap" | "stack" | "spare" as name, number]:
                 output.numbers[name] = int(number)
             case ["done"]:

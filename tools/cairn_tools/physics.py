@@ -67,6 +67,11 @@ class Physics:
         fastest = np.hypot(states[:, :, VX], states[:, :, VY]) + np.abs(states[:, :, OMEGA]) * self._reach
         return fastest[:, self.moving]
 
+    def strides(self, before: Array, after: Array) -> Array:
+        """How far the farthest point of each body went, at most, between two poses [body, value]."""
+        centres = self.centres(np.stack([before, after]))
+        return np.hypot(*(centres[1] - centres[0]).T) + np.abs(after[:, ANGLE] - before[:, ANGLE]) * self._reach
+
     def heights(self, states: Array) -> Array:
         """Centres of mass against gravity [record, moving body]; along y where there is none."""
         return (self.centres(states) @ self._up)[:, self.moving]

@@ -8,8 +8,11 @@
 namespace {
 
 // What Box2D's manual suggests.
-constexpr int velocity_iterations = 8;
-constexpr int position_iterations = 3;
+constexpr int default_velocity_iterations = 8;
+constexpr int default_position_iterations = 3;
+
+int velocity_iterations, position_iterations;
+float step;
 
 alignas(b2World) unsigned char world_memory[sizeof(b2World)];
 b2World *world;
@@ -86,8 +89,12 @@ void make_spring(const peer_spring &entry)
 
 } // namespace
 
-bool peer_build(void)
+// Position iterations go with velocity iterations as they do by default, 3 to 8.
+bool peer_build(peer_wish wish)
 {
+    velocity_iterations = wish.iterations > 0 ? wish.iterations : default_velocity_iterations;
+    position_iterations = (velocity_iterations * default_position_iterations + default_velocity_iterations - 1) / default_velocity_iterations;
+    step = wish.step > 0 ? wish.step : peer_the_scene.step;
     peer_construct();
     world = new (world_memory) b2World(vect(peer_the_scene.gravity));
     world->SetAllowSleeping(false);
@@ -102,7 +109,7 @@ bool peer_build(void)
 
 void peer_step(void)
 {
-    world->Step(peer_the_scene.step, velocity_iterations, position_iterations);
+    world->Step(step, velocity_iterations, position_iterations);
 }
 
 int peer_body_count(void)
@@ -118,5 +125,5 @@ uint32_t peer_spare(void)
 peer_place peer_body_place(int body)
 {
     const b2Vec2 position = body_at(body)->GetPosition();
-    return {peer_fixed(position.x), peer_fixed(position.y)};
+    return {peer_fixed(position.x), peer_fixed(position.y), peer_fixed(body_at(body)->GetAngle())};
 }

@@ -55,8 +55,9 @@ bool peer_use_blocks(void) { return cairn_blocks_enable(world, cairn_the_scene_s
 
 bool peer_use_slides(void) { return cairn_world_use_slides_solver(world, cairn_the_scene.passes) == CAIRN_OK; }
 
-bool peer_build(void)
+bool peer_build(peer_wish wish)
 {
+    (void)wish;
     world = cairn_world_init(cairn_the_scene_storage.world, cairn_the_scene.gravity);
     bool fine = world != NULL && cairn_world_set_rate(world, cairn_the_scene.rate) == CAIRN_OK &&
                 cairn_world_set_substeps(world, cairn_the_scene.substeps) == CAIRN_OK;
@@ -75,7 +76,9 @@ int peer_body_count(void) { return cairn_the_scene.body_count; }
 peer_place peer_body_place(int body)
 {
     const cairn_vec2 position = cairn_body_position(world, body_at(body));
-    return (peer_place){position.x, position.y};
+    /* A turn of 2^32 in 2^-16 radians is 2 pi 2^16 = 411,775. */
+    const int32_t angle = (int32_t)(((int64_t)cairn_body_angle(world, body_at(body)) * 411775) >> 32);
+    return (peer_place){position.x, position.y, angle};
 }
 
 /* The free arbiters: the pool of the table is for any scene of so many bodies. */

@@ -9,6 +9,7 @@ enum { ITERATIONS = 10 };
 static const cpFloat SLOP = 0.005f;
 
 static cpSpace *space;
+static cpFloat step;
 
 static cpVect vect(peer_vec v) { return cpv(v.x, v.y); }
 
@@ -57,11 +58,12 @@ static void make_spring(const peer_spring *entry)
     cpSpaceAddConstraint(space, spring);
 }
 
-bool peer_build(void)
+bool peer_build(peer_wish wish)
 {
+    step = wish.step > 0 ? wish.step : peer_the_scene.step;
     space = cpSpaceNew();
     cpSpaceSetGravity(space, vect(peer_the_scene.gravity));
-    cpSpaceSetIterations(space, ITERATIONS);
+    cpSpaceSetIterations(space, wish.iterations > 0 ? wish.iterations : ITERATIONS);
     cpSpaceSetCollisionSlop(space, SLOP);
     for (int i = 0; i < peer_the_scene.body_count; i++) {
         peer_handles[i] = make_body(&peer_the_scene.bodies[i]);
@@ -72,12 +74,12 @@ bool peer_build(void)
     return true;
 }
 
-void peer_step(void) { cpSpaceStep(space, peer_the_scene.step); }
+void peer_step(void) { cpSpaceStep(space, step); }
 int peer_body_count(void) { return peer_the_scene.body_count; }
 uint32_t peer_spare(void) { return 0; }
 
 peer_place peer_body_place(int body)
 {
     const cpVect position = cpBodyGetPosition(peer_handles[body]);
-    return (peer_place){peer_fixed(position.x), peer_fixed(position.y)};
+    return (peer_place){peer_fixed(position.x), peer_fixed(position.y), peer_fixed(cpBodyGetAngle(peer_handles[body]))};
 }

@@ -1,7 +1,15 @@
 /*
- * Runs the scene on the linked engine for as many steps as the image's one argument says, and prints:
+ * Runs the scene on the linked engine by the image's arguments, which are whole numbers in this order, and 0 where left out:
+ *
+ *   STEPS              of the run
+ *   EVERY              print the places after each so many steps; 0: never
+ *   ITERATIONS         of the engine's solver; 0: its own by default
+ *   RATE               steps per second; 0: the scene's own
+ *
+ * and prints:
  *
  *   start X Y          of each body, in 2^-16 m, in the order of the scene
+ *   state STEP         if asked for; then a line "X Y ANGLE" of each body, the angle in 2^-16 radians
  *   cost UNITS         of peer_step() alone, by peer_clock(), once a step
  *   end X Y            of each body
  *   heap BYTES         the most ever taken
@@ -38,18 +46,36 @@ static void print_places(const char *name)
     }
 }
 
-static uint32_t number_of(const char *text)
+static void print_state(uint32_t step)
+{
+    print_line("state", step);
+    for (int i = 0; i < peer_body_count(); i++) {
+        const peer_place place = peer_body_place(i);
+        cairn_print_i32(place.x);
+        cairn_print_text(" ");
+        cairn_print_i32(place.y);
+        cairn_print_text(" ");
+        cairn_print_i32(place.angle);
+        cairn_print_text("\n");
+    }
+}
+
+/* The next number of the text, and the text behind it; 0 where there is none. */
+static uint32_t take_number(const char **text)
 {
     uint32_t value = 0;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        value = value * 10 + (uint32_t)(*text - '0');
+    while (**text == ' ') {
+        (*text)++;
+    }
+    for (; **text >= '0' && **text <= '9'; (*text)++) {
+        value = value * 10 + (uint32_t)(**text - '0');
     }
     return value;
 }
 
-static int run(uint32_t steps)
+static int run(uint32_t steps, uint32_t every, peer_wish wish)
 {
-    if (!peer_build()) {
+    if (!peer_build(wish)) {
         cairn_print_text("error the engine refuses the scene\n");
         return 1;
     }
@@ -57,11 +83,17 @@ static int run(uint32_t steps)
     const uint32_t before = peer_clock();
     const uint32_t clock_cost = peer_clock() - before;
     uint32_t spare = peer_spare();
+    if (every > 0) {
+        print_state(0);
+    }
     for (uint32_t i = 0; i < steps; i++) {
         const uint32_t start = peer_clock();
         peer_step();
         const uint32_t cost = peer_clock() - start - clock_cost;
         print_line("cost", cost);
+        if (every > 0 && (i + 1) % every == 0) {
+            print_state(i + 1);
+        }
         if (peer_spare() < spare) {
             spare = peer_spare();
         }
@@ -77,7 +109,14 @@ static int run(uint32_t steps)
 int main(void)
 {
     cairn_port_init();
-    const int code = run(number_of(cairn_port_arguments()));
+    const char *words = cairn_port_arguments();
+    const uint32_t steps = take_number(&words);
+    const uint32_t every = take_number(&words);
+    peer_wish wish;
+    wish.iterations = (int)take_number(&words);
+    const uint32_t rate = take_number(&words);
+    wish.step = rate > 0 ? 1.0f / (float)rate : 0.0f;
+    const int code = run(steps, every, wish);
     cairn_print_flush();
     cairn_port_exit(code);
     return code;

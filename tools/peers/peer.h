@@ -56,10 +56,16 @@ extern const peer_scene peer_the_scene;
 /* Room for the adapter to keep each body's pointer; peers.py takes it off the image's memory. */
 extern void *peer_handles[];
 
-/* A position in 2^-16 m; PEER_LOST both where it is no number or out of range. */
+/* A position in 2^-16 m and an angle in 2^-16 radians; PEER_LOST where one is no number or out of range. */
 typedef struct peer_place {
-    int32_t x, y;
+    int32_t x, y, angle;
 } peer_place;
+
+/* What a run asks for in place of the scene's and the engine's own; 0: nothing. Cairn's are in its table. */
+typedef struct peer_wish {
+    int iterations;
+    float step; /* seconds */
+} peer_wish;
 
 #define PEER_LOST INT32_MIN
 
@@ -72,7 +78,7 @@ static inline int32_t peer_fixed(float metres)
 /* ---- an adapter ---- */
 
 /* Builds the scene; false if the engine refused a part of it. */
-bool peer_build(void);
+bool peer_build(peer_wish wish);
 void peer_step(void);
 int peer_body_count(void);
 peer_place peer_body_place(int body);

@@ -11,10 +11,13 @@ from typing import Annotated, Any
 import typer
 from rich.table import Table
 
+from .. import scene
 from ..errors import UserError
-from ..terminal import Core, JsonOption, folder, out, working
+from ..terminal import Core, JsonOption, bar, folder, out, working
 from . import arithmetic as arithmetic_module
+from . import error_time
 from . import smooth as smooth_module
+from . import tables as tables_module
 
 
 def accuracy(
@@ -33,9 +36,23 @@ def accuracy(
         part = arithmetic_module if arithmetic else smooth_module
         _print_part("arithmetic" if arithmetic else "smooth scenes", part.measure, part.tables, as_json)
         return
-    if plot:
-        folder(plot)
-    raise UserError("error against run time is not built yet; there are --arithmetic and --smooth")
+    place = folder(plot) if plot else None
+    names = dict.fromkeys(scene_name or error_time.SCENES)
+    scenes = [(scene.load(scene.find(name)), error_time.SCENES.get(name, error_time.SECONDS)) for name in names]
+    with bar("error against run time") as say:
+        rows = error_time.measure(scenes, [c.value for c in core or ()] or list(error_time.CORES), peers, say)
+    if place:
+        # Drawing is slow to load: only who asks for it waits.
+        from .plot import write
+
+        write(rows, place)
+    if as_json:
+        print(json.dumps(tables_module.record(rows), indent=2))
+        return
+    for grid in tables_module.tables(rows):
+        out.print(grid)
+    for line in tables_module.sentences(rows):
+        print(line)
 
 
 def _print_part(
