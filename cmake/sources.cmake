@@ -34,6 +34,7 @@ set(CAIRN_SOURCES
     src/slide.c
     src/solver_slides.c
     src/hold.c
+    src/idle.c
     src/solver_soft.c
     src/spring.c
     src/spring_map.c

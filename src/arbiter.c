@@ -153,7 +153,7 @@ void cairn_arbiters_begin(cairn_world *world)
 {
     world->expected = &world->first_found;
     world->fresh = 0;
-    world->slides = false;
+    world->slides = world->idles = false;
     if (world->continuous == NULL || (!world->driven && world->fast == 0)) {
         return; /* what the solver leaves of an approach is too slow to be looked ahead for, unless something is fast */
     }

@@ -1,6 +1,6 @@
 /*
  * What the engine's own files share, in the order of the step: world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> meet.c,
- * arbiter.c -> collide_*.c (manifold) -> rows.c (prepare) -> solver_soft.c with sweep*.c and slide.c, or solver_slides.c, with bounce*.c,
+ * arbiter.c -> collide_*.c (manifold) -> rows.c (prepare) -> idle.c -> solver_soft.c with sweep*.c and slide.c, or solver_slides.c, with bounce*.c,
  * spring*.c and block*.c -> motion.c (move) -> hold.c -> sleep.c.
  */
 #ifndef CAIRN_ENGINE_H
@@ -76,6 +76,7 @@ enum {
     CAIRN_PATH_SINGLE,    /* the same of one point */
     CAIRN_PATH_CENTRAL,   /* the same of one point on the line through both centres: circles */
     CAIRN_PATH_EVEN_CENTRAL, /* the same of balls of one size and mass, whose spins change alike */
+    CAIRN_PATH_IDLE,      /* none in this step, in which it does nothing: see idle.c */
     CAIRN_PATH_WAY = 15,
     CAIRN_PATH_FREE = 16,   /* and: a is not static */
     CAIRN_PATH_FRESH = 32,  /* and: the rows are not held, but made in this step */
@@ -83,6 +84,7 @@ enum {
     CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 
+static inline bool cairn_arbiter_idles(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_IDLE; }
 static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; }
 
 /* The flag if it is to be set. */
@@ -322,6 +324,25 @@ void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset 
 cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y);
 /* The manifold of two bodies where they are now. */
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
+
+/* It pushes in this step. */
+static inline void cairn_arbiter_engage(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
+{
+    arbiter->flags |= CAIRN_ARBITER_SOLVED;
+    a->flags |= CAIRN_BODY_MET;
+    b->flags |= CAIRN_BODY_MET;
+    if (arbiter->block != 0) {
+        world->uneven |= arbiter->block;
+    }
+}
+
+/* ---- idle.c: contacts that do nothing in this step ---- */
+/* Of one without friction: if it does nothing else either it is left out of this step. fresh is CAIRN_PATH_FRESH or 0. */
+bool cairn_arbiter_idle(cairn_world *world, cairn_arbiter *arbiter, unsigned fresh);
+/* Of one whose rows hold. */
+void cairn_arbiter_engage_unless_idle(cairn_world *world, cairn_arbiter *arbiter);
+/* After the search: those whose bodies something else acts on are no idle ones. */
+void cairn_arbiters_rouse(cairn_world *world);
 
 /* ---- fast bodies ---- */
 /* Does this step's motion carry the body further than a quarter of its smallest half size? */

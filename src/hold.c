@@ -240,6 +240,9 @@ static inline uint8_t next_path_of_two(const cairn_world *world, const cairn_arb
 {
     int way = before & CAIRN_PATH_WAY;
     bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
+    if (way == CAIRN_PATH_IDLE) { /* the next step chooses, see idle.c */
+        return (uint8_t)(way | (arbiter->rows[0].gap > 0 && arbiter->rows[1].gap > 0 ? CAIRN_PATH_APART : 0));
+    }
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 
@@ -271,7 +274,7 @@ void cairn_arbiters_follow(cairn_world *world)
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
         arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
-        if (flags & CAIRN_ARBITER_SOLVED) {
+        if ((flags & CAIRN_ARBITER_SOLVED) || cairn_arbiter_idles(arbiter)) {
             follow(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
         }
     }

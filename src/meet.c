@@ -114,17 +114,6 @@ static inline void renew(cairn_world *world, cairn_arbiter *arbiter, bool touche
     arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_FRESH | cairn_flag_if(touches, CAIRN_ARBITER_TOUCHING));
 }
 
-/* It pushes in this step. */
-static inline void engage(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
-{
-    arbiter->flags |= CAIRN_ARBITER_SOLVED;
-    a->flags |= CAIRN_BODY_MET;
-    b->flags |= CAIRN_BODY_MET;
-    if (arbiter->block != 0) {
-        world->uneven |= arbiter->block;
-    }
-}
-
 /* How far a body's surface lies from its centre of mass, at most. A box's corner: sqrt(1 + t^2) <= 1 + t / 2 for t in [0, 1]. */
 static cairn_real radius_of(const cairn_body *body)
 {
@@ -170,7 +159,10 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
     if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP)) {
-        engage(world, arbiter, body_a, body_b);
+        if (arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
+            return;
+        }
+        cairn_arbiter_engage(world, arbiter, body_a, body_b);
     }
     arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
@@ -197,6 +189,32 @@ static inline void exchange(uint16_t *a, uint16_t *b)
     *b = swap;
 }
 
+/* Rows that hold. */
+CAIRN_APART void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
+{
+    renew(world, arbiter, arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART)));
+    if (arbiter->friction_impulse != 0 || (((a->flags | b->flags) & CAIRN_BODY_MET) && !cairn_arbiter_idles(arbiter))) {
+        cairn_arbiter_engage(world, arbiter, a, b);
+    } else {
+        cairn_arbiter_engage_unless_idle(world, arbiter);
+    }
+}
+
+/* A pair that was not found at this place in the step before. */
+CAIRN_APART void pair_unexpected(cairn_world *world, uint16_t a, uint16_t b)
+{
+    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (are_beyond(body_a, body_b)) {
+        return;
+    }
+    cairn_arbiter *arbiter = cairn_arbiter_search(world, a, b);
+    if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
+        keep(world, arbiter, body_a, body_b);
+    } else {
+        meet(world, arbiter, a, b);
+    }
+}
+
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
 {
     world->stats.pairs++;
@@ -210,14 +228,9 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_arbiter *arbiter = expected(world, a, b);
     if (arbiter == NULL) {
-        if (are_beyond(body_a, body_b)) {
-            return;
-        }
-        arbiter = cairn_arbiter_search(world, a, b);
-    }
-    if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
-        renew(world, arbiter, arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART)));
-        engage(world, arbiter, body_a, body_b);
+        pair_unexpected(world, a, b);
+    } else if (cairn_arbiter_holds(arbiter, body_a, body_b)) {
+        keep(world, arbiter, body_a, body_b);
     } else {
         meet(world, arbiter, a, b);
     }

@@ -330,18 +330,22 @@ typedef const uint16_t *way(const cairn_world *world, const uint16_t *at, const 
     WAY(pass##_on_static, pass, CAIRN_PATH_ON_STATIC) \
     WAY(pass##_central, pass, CAIRN_PATH_CENTRAL)
 
+/* What does nothing in this step. */
+#define nothing(world, a, b, arbiter, path, from_last) ((void)(world), (void)(from_last))
+WAY(idle, nothing, CAIRN_PATH_IDLE)
+
 /* In the order of the paths, from CAIRN_PATH_CAREFUL on. The warm start comes once a step: what it may do, it does by the wide ways, to the same bits. */
 WIDE_WAYS(warm_start)
 static way *const warm_start_ways[] = { warm_start_careful, warm_start_careful, warm_start_shared, warm_start_even,
-                                        warm_start_shared,  warm_start_single,  warm_start_single, warm_start_even_central };
+                                        warm_start_shared,  warm_start_single,  warm_start_single, warm_start_even_central, idle };
 WIDE_WAYS(biased)
 NARROW_WAYS(biased)
 static way *const biased_ways[] = { biased_careful, biased_careful, biased_on_static, biased_even,
-                                    biased_shared,  biased_single,  biased_central,   biased_even_central };
+                                    biased_shared,  biased_single,  biased_central,   biased_even_central, idle };
 WIDE_WAYS(relax)
 NARROW_WAYS(relax)
 static way *const relax_ways[] = { relax_careful, relax_careful, relax_on_static, relax_even,
-                                   relax_shared,  relax_single,  relax_central,   relax_even_central };
+                                   relax_shared,  relax_single,  relax_central,   relax_even_central, idle };
 
 /* ---- over the world ---- */
 

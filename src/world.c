@@ -125,6 +125,7 @@ cairn_status cairn_world_step(cairn_world *world)
     cairn_bodies_look_ahead(world);
     cairn_arbiters_begin(world);
     find_pairs(world);
+    cairn_arbiters_rouse(world);
     cairn_bodies_end_search(world);
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;

@@ -106,6 +106,7 @@ typedef struct cairn_world {
     int8_t error;
     uint8_t blocks; /* of this step: the highest number */
     bool slides;    /* a contact does in this step, see slide.c */
+    bool idles;     /* a contact does nothing in this step, see idle.c */
     bool in_flight; /* a row was when impacts were looked for last, see bounce.c */
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */

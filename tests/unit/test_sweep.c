@@ -94,8 +94,9 @@ void test_points_that_are_apart_are_known(void)
     put(&ball, 0, 0);
     put(&ball, CAIRN_F(1.003), 0);
     cairn_body_id far = put(&ball, CAIRN_F(-1.003), 0);
+    put(&ball, CAIRN_F(2.002), 0); /* lies in the one beside it, and so all are looked at */
     run(2);
-    TEST_ASSERT_EQUAL_UINT16(2, world->arbiter_count);
+    TEST_ASSERT_EQUAL_UINT16(3, world->arbiter_count);
     TEST_ASSERT_EQUAL_INT(CAIRN_PATH_EVEN_CENTRAL, path_at(0));
     ASSERT_NEAR(0, -1.003, x_of(far));
     ASSERT_SAME(0, world->arbiters[world->order[0]].rows[0].impulse);
