@@ -12,15 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from .. import engine, geometry, host, scene
+from .. import engine, host, overlap, scene
+from .. import physics as physics_of
 from ..errors import UserError
-from ..host import ANGLE, X, Y
-from ..stability import measure as physics
+from ..overlap import Surfaces, X, Y
+from ..physics import Physics
 from .settings import Job, Settings, changed
 
 RECORDS = 120  # at most, of a run: what is measured at each costs more than a step
-
-
 
 
 @dataclass
@@ -35,7 +34,7 @@ class Measured:
     penetration_mean: float | None = None  # m, over the records, of the deepest pair
     moved: float | None = None  # m, the farthest of any body from its start, over the records
     drift: float | None = None  # m, the same from the middle of the run
-    speed_end: float | None = None  # m/s, of the fastest corner in the last record
+    speed_end: float | None = None  # m/s, of the fastest point of any body in the last record
     energy_gained: float | None = None  # J, the most above the start, over the records
     energy_lost: float | None = None  # J, from the start to the end
     error_max: float | None = None  # m, the farthest of any body from where double has it, over the records
@@ -74,7 +73,8 @@ def build() -> str:
     digest = hashlib.sha256()
     folders = [engine.ROOT / name for name in ("include", "src", "tools/host")]
     files = sorted(file for folder in folders for file in folder.rglob("*.[ch]"))
-    for file in [*files, Path(__file__), Path(__file__).with_name("settings.py")]:
+    measuring = [Path(__file__).with_name("settings.py"), *(Path(module.__file__) for module in (overlap, physics_of))]
+    for file in [*files, Path(__file__), *measuring]:
         digest.update(file.relative_to(engine.ROOT).as_posix().encode() + b"\0" + file.read_bytes())
     return digest.hexdigest()[:8]
 
@@ -98,91 +98,52 @@ def row(job: Job, seconds: float) -> Row:
 def _measured(job: Job, seconds: float) -> Measured:
     text, settings = changed(job), job.settings
     loaded = scene.parse(text, Path(f"{job.scene}.json"))
+    physics = Physics(loaded)
     steps = max(1, round(seconds * settings.rate))
     every = math.ceil(steps / RECORDS)
-    world, states = _run(loaded, settings.engine, steps, every)
-    got = Measured(hash=world.hash, **_of_contacts(loaded, world, states), **_of_motion(loaded, world, states))
+    world, states = _run(physics, settings.engine, steps, every)
+    got = Measured(bodies=len(loaded.bodies), hash=world.hash)
+    _contacts(got, world, loaded, states)
+    _motion(got, physics, states)
     if settings.engine == "q16":
-        _compare(got, states, _run(loaded, "f64", steps, every)[1], world)
+        gap = _ways(physics, states - _run(physics, "f64", steps, every)[1])
+        got.error_max, got.error_rms, got.error_end = gap.max(), np.sqrt(np.mean(gap**2)), gap[-1].max()
     if settings.core:
         _count(got, text, settings.core, steps)
-    return got
+    return _of_python(got)
 
 
-def _run(loaded: scene.Scene, arithmetic: str, steps: int, every: int) -> tuple[host.World, np.ndarray]:
-    """The quadtree is left out: it changes what a step costs and no bit of what it gives."""
-    world, bodies = host.build(loaded, arithmetic)
-    world.set_sleep(loaded.sleep)
-    return world, world.record(steps, every, bodies)
+def _of_python(got: Measured) -> Measured:
+    """Without numpy's kinds of numbers, which JSON does not know."""
+    values = {name: value.item() if isinstance(value, np.generic) else value for name, value in vars(got).items()}
+    return Measured(**values)
 
 
-def _of_contacts(loaded: scene.Scene, world: host.World, states: np.ndarray) -> dict[str, Any]:
-    outlines = physics.Outlines(world)
-    meets = np.array([_push(loaded, a, b) for a, b in zip(outlines.a, outlines.b, strict=True)], dtype=bool)
-    outlines.a, outlines.b = outlines.a[meets], outlines.b[meets]
-    depths = [outlines.penetration(record) for record in states]
-    counts = world.statistics
-    return {
-        "points": counts["points"],
-        "dropped": counts["dropped"],
-        "saturations": counts["saturations"],
-        "penetration_worst": max(depths),
-        "penetration_mean": float(np.mean(depths)),
-    }
+def _run(physics: Physics, arithmetic: str, steps: int, every: int) -> tuple[host.World, np.ndarray]:
+    """The states are those of the shapes' origins. The quadtree is left out: it changes no bit of what a run gives."""
+    world, bodies = host.build(physics.scene, arithmetic)
+    world.set_sleep(physics.scene.sleep)
+    return world, physics.bodies.placed(world.record(steps, every, bodies))
 
 
-def _push(loaded: scene.Scene, a: int, b: int) -> bool:
-    """Whether two bodies may not be in one another: no sensor, each in a layer that the other meets."""
-    one, other = loaded.bodies[a], loaded.bodies[b]
-    apart = any(not spring.collide and {spring.a, spring.b} == {a, b} for spring in loaded.springs)
-    return bool(not one.sensor and not other.sensor and one.layer & other.mask and other.layer & one.mask) and not apart
+def _contacts(got: Measured, world: host.World, loaded: scene.Scene, states: np.ndarray) -> None:
+    counts, surfaces = world.statistics, Surfaces.of(loaded)
+    got.points, got.dropped, got.saturations = (counts[name] for name in ("points", "dropped", "saturations"))
+    depths = [surfaces.penetration(record) for record in states]
+    got.penetration_worst, got.penetration_mean = max(depths), np.mean(depths)
 
 
-def _of_motion(loaded: scene.Scene, world: host.World, states: np.ndarray) -> dict[str, Any]:
-    moving = _moving(world)
-    if not moving:
-        return {"bodies": len(loaded.bodies)}
-    own = states[:, moving]
-    energy = physics.kinetic_energy(world, own) + physics.potential_energy(world, own) + _of_springs(loaded, states)
-    return {
-        "bodies": len(loaded.bodies),
-        "moved": physics.moved(own),
-        "drift": physics.moved(own, len(own) // 2),
-        "speed_end": physics.fastest(own[-1:], world),
-        "energy_gained": float(energy.max() - energy[0]),
-        "energy_lost": float(energy[0] - energy[-1]),
-    }
+def _motion(got: Measured, physics: Physics, states: np.ndarray) -> None:
+    energy, middle = physics.energy(states), len(states) // 2
+    got.energy_gained, got.energy_lost = energy.max() - energy[0], energy[0] - energy[-1]
+    got.moved = _ways(physics, states - states[:1]).max()
+    got.drift = _ways(physics, states[middle:] - states[middle]).max()
+    got.speed_end = physics.speeds(states[-1:]).max()
 
 
-def _moving(world: host.World) -> list[int]:
-    return [place for place, kind in enumerate(world.types.values()) if kind == host.DYNAMIC]
-
-
-def _of_springs(loaded: scene.Scene, states: np.ndarray) -> np.ndarray:
-    """Energy of the springs' lengths, of each record."""
-    total = np.zeros(len(states))
-    for spring in loaded.springs:
-        a = _anchor(loaded, states, spring.a, spring.anchor_a)
-        b = _anchor(loaded, states, spring.b, spring.anchor_b)
-        stretch = np.hypot(*(b - a).T) - spring.rest_length
-        total += 0.5 * (spring.stiffness or 0.0) * stretch**2
-    return total
-
-
-def _anchor(loaded: scene.Scene, states: np.ndarray, body: int, anchor: geometry.Point) -> np.ndarray:
-    """Where an anchor is in each record; states are of the centre of mass, an anchor's frame is the shape's."""
-    x, y = np.subtract(anchor, loaded.shape_of(loaded.bodies[body]).centre)
-    c, s = np.cos(states[:, body, ANGLE]), np.sin(states[:, body, ANGLE])
-    return states[:, body, [X, Y]] + np.stack([c * x - s * y, s * x + c * y], axis=1)
-
-
-def _compare(got: Measured, states: np.ndarray, double: np.ndarray, world: host.World) -> None:
-    moving = _moving(world)
-    if not moving:
-        return
-    gap = np.hypot(*np.moveaxis((states - double)[:, moving][:, :, [X, Y]], 2, 0))
-    got.error_max, got.error_rms = float(gap.max()), float(np.sqrt(np.mean(gap**2)))
-    got.error_end = float(gap[-1].max())
+def _ways(physics: Physics, gap: np.ndarray) -> np.ndarray:
+    """Lengths of differences of places [record, moving body]."""
+    return np.hypot(gap[:, physics.moving, X], gap[:, physics.moving, Y])
 
 
 def _count(got: Measured, text: str, core: str, steps: int) -> None:
