@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cairn_tools import scene
-from cairn_tools.accuracy import error_time, frames, plot, rows, tables
+from cairn_tools import oracle, scene
+from cairn_tools.accuracy import error_time, frames, integrators, plot, rows, tables
 from cairn_tools.accuracy.reference import Reference
 from cairn_tools.accuracy.rows import Errors, Row, Settings
 
@@ -123,3 +123,16 @@ def test_a_point_is_measured_on_a_core_and_is_the_same_twice() -> None:
     assert own.reference.startswith("closed form") and own.compared_seconds == 1.0
     assert 500 < coarse.instructions_per_step < own.instructions_per_step < 20_000
     assert own.errors.rms_error < coarse.errors.rms_error < 0.05
+
+
+@pytest.mark.skipif(not hasattr(oracle, "run"), reason="the oracle is being built")
+def test_adams_bashforth_is_more_accurate_at_fine_steps_and_no_more_stable() -> None:
+    points = {(p.method, p.steps_per_second): p for p in integrators.measure(lambda _: None)}
+    euler, adams = ({rate: points[method, rate] for rate in integrators.RATES} for method in integrators.METHODS)
+    assert adams[3840].rms_error < 0.3 * euler[3840].rms_error
+    assert adams[60].energy_ratio > 1000 > 2 > euler[60].energy_ratio
+    # Euler's keeps the energy within bounds up to w dt = 2; the other has left all bounds long before.
+    assert math.isfinite(euler[16].rms_error) and math.isinf(euler[15].rms_error)
+    assert math.isinf(adams[30].rms_error)
+    (table,) = integrators.tables(list(points.values()))
+    assert table.row_count == len(integrators.RATES)

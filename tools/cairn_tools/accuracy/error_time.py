@@ -38,6 +38,11 @@ MEASURES = {
 Say = Callable[[int, int], None]
 
 
+def of(scene: Scene) -> tuple[Scene, float]:
+    """A scene and how long it is run."""
+    return scene, SCENES.get(scene.name, SECONDS)
+
+
 def settings_of_cairn(scene: Scene) -> list[Settings]:
     """Sub-steps by rates; passes of the slides' solver by rates; sleep and the other broad phase at the default."""
     own = Settings.of(scene)

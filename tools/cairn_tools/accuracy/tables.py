@@ -111,7 +111,7 @@ def _exception(it: Verdict) -> str:
 
 def record(rows: list[Row]) -> list[dict[str, Any]]:
     """For JSON, which has no word for what is not a number."""
-    return [_finite({**asdict(row), "front": _fronts(row, rows)}) for row in rows]
+    return [finite({**asdict(row), "front": _fronts(row, rows)}) for row in rows]
 
 
 def _fronts(row: Row, rows: list[Row]) -> list[str]:
@@ -119,7 +119,8 @@ def _fronts(row: Row, rows: list[Row]) -> list[str]:
     return [measure for measure in MEASURES if row in front(own, measure)]
 
 
-def _finite(value_: Any) -> Any:
+def finite(value_: Any) -> Any:
+    """With None in place of what is not a number or infinite."""
     if isinstance(value_, dict):
-        return {key: _finite(item) for key, item in value_.items()}
+        return {key: finite(item) for key, item in value_.items()}
     return None if isinstance(value_, float) and not math.isfinite(value_) else value_
