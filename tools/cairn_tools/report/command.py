@@ -11,10 +11,11 @@ from typing import Any
 
 from .. import engine
 from ..sweep.measure import build
-from . import page, runner, standing
+from . import page, runner, standing, wrong
 from .model import Options, Part, Section, plain
 
-PARTS: list[Part] = [standing.STABILITY, standing.BENCH, standing.MEMORY, standing.SCENES]
+PARTS: list[Part] = [wrong.ERRORS, wrong.ERROR_TIME, standing.STABILITY, standing.BENCH, standing.MEMORY,
+                     standing.SCENES]  # fmt: skip
 
 
 @dataclass(frozen=True)

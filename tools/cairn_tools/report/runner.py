@@ -64,8 +64,10 @@ def outcome(task: Task) -> Outcome:
     start = time.perf_counter()
     try:
         return Outcome(task.call(*task.arguments), time.perf_counter() - start)
-    except (EngineError, UserError) as problem:
-        return Outcome(None, time.perf_counter() - start, f"{task.name}: {' '.join(str(problem).split())}")
+    except Exception as problem:  # whatever it is, the other parts run on
+        known = isinstance(problem, EngineError | UserError)
+        text = " ".join(f"{'' if known else type(problem).__name__ + ': '}{problem}".split())
+        return Outcome(None, time.perf_counter() - start, f"{task.name}: {text}")
 
 
 def _done(part: Part, outcomes: list[Outcome]) -> Done:
