@@ -1,0 +1,451 @@
+"""Contact and friction of a moment, solved as a whole. Compiled by numba.
+
+Unknowns are the impulses p >= 0 of the normal rows and q of the friction rows, with the velocities v = v0 + W J'(p, q):
+
+    p >= 0, Jn v >= bn, p (Jn v - bn) = 0;    |q| <= mu (sum of the pair's p), and Jt v = bt or q is at that limit against it
+
+which is the complementarity problem of the slides' variant A (Stewart and Trinkle's). Rows are scaled to unit mass.
+
+Semismooth Newton on the natural map: rows are sorted into those that press, stick and slide by what p and q would be after one
+projected step; for that choice the equations are linear. Where forces are not unique (a box on two boxes) their matrix is singular;
+EPSILON on its diagonal with corrections until nothing is left (the proximal point method) finds the forces nearest to those before.
+By Woodbury's identity the matrix has the bodies' unknowns and not the rows', in the order of Cuthill and McKee: a narrow band.
+Where Newton's method comes back to a choice it had, sweeps of projected Gauss-Seidel (which decrease the error surely, and slowly)
+lead on to another one; if all fails they go on to the end.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from .contacts import along
+
+EPSILON = 1e-8
+TOLERANCE = 1e-10  # m/s
+CORRECTIONS = 12
+NEWTON_ROUNDS = 60
+SWEEP_EVERY = 8  # rounds of Newton's method without an end, then sweeps
+SWEEPS = 40
+LAST_SWEEPS = 20000
+
+OFF, ON, SLIP_FORWARD, SLIP_BACK = 0, 1, 2, 3
+
+
+@njit(cache=True)
+def order_bodies(x, y, inverse):
+    """Cuthill and McKee: places of the bodies that contacts move, such that those in contact are near; their number and spread."""
+    bodies = len(inverse)
+    movable = np.zeros(bodies, np.bool_)
+    for i in range(bodies):
+        movable[i] = inverse[i, 0] > 0 or inverse[i, 2] > 0
+    degree = np.zeros(bodies + 1, np.int64)
+    touched = np.zeros(bodies, np.bool_)
+    for c in range(len(x)):
+        touched[x[c]] = touched[y[c]] = True
+        if movable[x[c]] and movable[y[c]]:
+            degree[x[c] + 1] += 1
+            degree[y[c] + 1] += 1
+    start = np.cumsum(degree)
+    filled = start[:-1].copy()
+    neighbours = np.empty(start[-1], np.int64)
+    for c in range(len(x)):
+        if movable[x[c]] and movable[y[c]]:
+            neighbours[filled[x[c]]] = y[c]
+            neighbours[filled[y[c]]] = x[c]
+            filled[x[c]] += 1
+            filled[y[c]] += 1
+    place = np.full(bodies, -1, np.int64)
+    queue = np.empty(bodies, np.int64)
+    count = 0
+    for _ in range(bodies):
+        root = -1
+        for i in range(bodies):
+            if movable[i] and touched[i] and place[i] < 0 and (root < 0 or degree[i + 1] < degree[root + 1]):
+                root = i
+        if root < 0:
+            break
+        head = count
+        queue[count], place[root] = root, count
+        count += 1
+        while head < count:
+            i = queue[head]
+            head += 1
+            for k in range(start[i], start[i + 1]):
+                j = neighbours[k]
+                if place[j] < 0:
+                    queue[count], place[j] = j, count
+                    count += 1
+    spread = 0
+    for c in range(len(x)):
+        if place[x[c]] >= 0 and place[y[c]] >= 0:
+            spread = max(spread, abs(place[x[c]] - place[y[c]]))
+    return place, count, spread
+
+
+@njit(cache=True)
+def factor(band, width, pivots):
+    """LU of a band matrix by rows, entry (i, j) at [i, j - i + width], with row exchanges (which need `width` columns more)."""
+    size, columns = band.shape
+    for k in range(size):
+        last = min(size - 1, k + width)
+        best = k
+        for i in range(k + 1, last + 1):
+            if abs(band[i, k - i + width]) > abs(band[best, k - best + width]):
+                best = i
+        pivots[k] = best
+        reach = min(columns - 1 - width, size - 1 - k)  # last column that row k may have, from k
+        if best != k:
+            for d in range(reach + 1):
+                a, b = d + width, k + d - best + width
+                band[k, a], band[best, b] = band[best, b], band[k, a]
+        head = band[k, width]
+        for i in range(k + 1, last + 1):
+            shift = k - i + width
+            share = band[i, shift] / head
+            band[i, shift] = share
+            if share != 0:
+                for d in range(1, reach + 1):
+                    band[i, shift + d] -= share * band[k, width + d]
+
+
+@njit(cache=True)
+def solve_band(band, width, pivots, b):
+    size, columns = band.shape
+    for k in range(size):
+        p = pivots[k]
+        if p != k:
+            b[k], b[p] = b[p], b[k]
+        for i in range(k + 1, min(size - 1, k + width) + 1):
+            b[i] -= band[i, k - i + width] * b[k]
+    for k in range(size - 1, -1, -1):
+        for d in range(1, min(columns - 1 - width, size - 1 - k) + 1):
+            b[k] -= band[k, width + d] * b[k + d]
+        b[k] /= band[k, width]
+
+
+@njit(cache=True)
+def add_row(row, x, y, root, place, motion, amount):
+    """motion += amount W^(1/2) row'."""
+    for k in range(3):
+        if place[x] >= 0:
+            motion[3 * place[x] + k] += amount * root[x, k] * row[k]
+        if place[y] >= 0:
+            motion[3 * place[y] + k] += amount * root[y, k] * row[k + 3]
+
+
+@njit(cache=True)
+def dot_row(row, x, y, root, place, motion):
+    total = 0.0
+    for k in range(3):
+        if place[x] >= 0:
+            total += root[x, k] * row[k] * motion[3 * place[x] + k]
+        if place[y] >= 0:
+            total += root[y, k] * row[k + 3] * motion[3 * place[y] + k]
+    return total
+
+
+@njit(cache=True)
+def add_product(band, width, left, right, x, y, root, place):
+    """band += (W^(1/2) left') (right W^(1/2)) of two rows of the same pair."""
+    for u in range(6):
+        body_u = x if u < 3 else y
+        if place[body_u] < 0:
+            continue
+        i = 3 * place[body_u] + u % 3
+        a = left[u] * root[body_u, u % 3]
+        if a == 0:
+            continue
+        for v in range(6):
+            body_v = x if v < 3 else y
+            if place[body_v] >= 0:
+                band[i, 3 * place[body_v] + v % 3 - i + width] += a * right[v] * root[body_v, v % 3]
+
+
+@njit(cache=True)
+def bound_of(rows, c, mu, p, ratio):
+    total = 0.0
+    for r in range(rows.first[c], rows.first[c + 1]):
+        total += p[r] * ratio[r]
+    return mu[c] * total
+
+
+@njit(cache=True)
+def residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t):
+    """The natural map's largest entry in m/s: by how much a projected step would change an impulse."""
+    worst = 0.0
+    for r in range(len(p)):
+        worst = max(worst, abs(p[r] - max(0.0, p[r] - un[r])) / scale_n[r])
+    for c in range(len(q)):
+        limit = bound_of(rows, c, mu, p, ratio)
+        worst = max(worst, abs(q[c] - min(limit, max(-limit, q[c] - ut[c]))) / scale_t[c])
+    return worst
+
+
+@njit(cache=True)
+def rows_at(rows, place, root, motion, scale_n, scale_t, bn, bt, un, ut):
+    """What is left of all rows: scaled speeds over their targets."""
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        ut[c] = scale_t[c] * (dot_row(rows.friction[c], x, y, root, place, motion) - bt[c])
+        for r in range(rows.first[c], rows.first[c + 1]):
+            un[r] = scale_n[r] * (dot_row(rows.normal[r], x, y, root, place, motion) - bn[r])
+
+
+@njit(cache=True)
+def motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion):
+    motion[:] = free
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        if q[c] != 0:
+            add_row(rows.friction[c], x, y, root, place, motion, scale_t[c] * q[c])
+        for r in range(rows.first[c], rows.first[c + 1]):
+            if p[r] != 0:
+                add_row(rows.normal[r], x, y, root, place, motion, scale_n[r] * p[r])
+
+
+@njit(cache=True)
+def sweep(rows, place, root, mu, motion, scale_n, scale_t, bn, bt, p, q, ratio):
+    """One pass of projected Gauss-Seidel over all rows."""
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        for r in range(rows.first[c], rows.first[c + 1]):
+            u = scale_n[r] * (dot_row(rows.normal[r], x, y, root, place, motion) - bn[r])
+            new = max(0.0, p[r] - u)
+            if new != p[r]:
+                add_row(rows.normal[r], x, y, root, place, motion, scale_n[r] * (new - p[r]))
+                p[r] = new
+        u = scale_t[c] * (dot_row(rows.friction[c], x, y, root, place, motion) - bt[c])
+        limit = bound_of(rows, c, mu, p, ratio)
+        new = min(limit, max(-limit, q[c] - u))
+        if new != q[c]:
+            add_row(rows.friction[c], x, y, root, place, motion, scale_t[c] * (new - q[c]))
+            q[c] = new
+
+
+@njit(cache=True)
+def sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t):
+    """The choice that the natural map makes; says whether it is another one than before."""
+    changed = False
+    for c in range(len(q)):
+        any_on = False
+        for r in range(rows.first[c], rows.first[c + 1]):
+            state = ON if p[r] - un[r] > 0 else OFF
+            any_on |= state == ON
+            changed |= state != state_n[r]
+            state_n[r] = state
+        state = OFF
+        if any_on and mu[c] > 0:
+            limit = bound_of(rows, c, mu, p, ratio)
+            wish = q[c] - ut[c]
+            state = SLIP_FORWARD if wish > limit else (SLIP_BACK if wish < -limit else ON)
+        changed |= state != state_t[c]
+        state_t[c] = state
+    return changed
+
+
+@njit(cache=True)
+def impose(rows, mu, p, q, ratio, state_n, state_t):
+    """The impulses that the choice fixes."""
+    for c in range(len(q)):
+        for r in range(rows.first[c], rows.first[c + 1]):
+            if state_n[r] == OFF:
+                p[r] = 0.0
+        if state_t[c] == OFF:
+            q[c] = 0.0
+        elif state_t[c] != ON:
+            q[c] = bound_of(rows, c, mu, p, ratio) * (1.0 if state_t[c] == SLIP_FORWARD else -1.0)
+
+
+@njit(cache=True)
+def assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, band, width):
+    """EPSILON + sum of c j' over the rows that are on: a normal row of a pair that slides drags its friction along."""
+    band[:] = 0.0
+    for i in range(3 * count):
+        band[i, width] = EPSILON
+    left, right = np.empty(6), np.empty(6)
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        for r in range(rows.first[c], rows.first[c + 1]):
+            if state_n[r] == OFF:
+                continue
+            drag = mu[c] if state_t[c] == SLIP_FORWARD else (-mu[c] if state_t[c] == SLIP_BACK else 0.0)
+            for k in range(6):
+                right[k] = scale_n[r] * rows.normal[r, k]
+                left[k] = scale_n[r] * (rows.normal[r, k] + drag * rows.friction[c, k])
+            add_product(band, width, left, right, x, y, root, place)
+        if state_t[c] == ON:
+            for k in range(6):
+                right[k] = scale_t[c] * rows.friction[c, k]
+            add_product(band, width, right, right, x, y, root, place)
+
+
+@njit(cache=True)
+def correct(rows, place, root, mu, scale_n, scale_t, state_n, state_t, un, ut, band, width, pivots, p, q, work):
+    """One Newton step for the rows that are on."""
+    work[:] = 0.0
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        drag = mu[c] if state_t[c] == SLIP_FORWARD else (-mu[c] if state_t[c] == SLIP_BACK else 0.0)
+        for r in range(rows.first[c], rows.first[c + 1]):
+            if state_n[r] == ON:
+                add_row(rows.normal[r], x, y, root, place, work, -scale_n[r] * un[r])
+                if drag != 0:
+                    add_row(rows.friction[c], x, y, root, place, work, -scale_n[r] * drag * un[r])
+        if state_t[c] == ON:
+            add_row(rows.friction[c], x, y, root, place, work, -scale_t[c] * ut[c])
+    solve_band(band, width, pivots, work)
+    for c in range(len(rows.x)):
+        x, y = rows.x[c], rows.y[c]
+        for r in range(rows.first[c], rows.first[c + 1]):
+            if state_n[r] == ON:
+                p[r] -= (un[r] + scale_n[r] * dot_row(rows.normal[r], x, y, root, place, work)) / EPSILON
+        if state_t[c] == ON:
+            q[c] -= (ut[c] + scale_t[c] * dot_row(rows.friction[c], x, y, root, place, work)) / EPSILON
+
+
+@njit(cache=True)
+def left_over(state_n, state_t, un, ut, scale_n, scale_t):
+    worst = 0.0
+    for r in range(len(un)):
+        if state_n[r] == ON:
+            worst = max(worst, abs(un[r]) / scale_n[r])
+    for c in range(len(ut)):
+        if state_t[c] == ON:
+            worst = max(worst, abs(ut[c]) / scale_t[c])
+    return worst
+
+
+@njit(cache=True)
+def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
+    """For given coefficients of friction: changes the impulses in place; gives (velocities, residual, rounds)."""
+    out = start.copy()
+    pairs, points = len(rows.x), len(rows.gap)
+    if pairs == 0:
+        return out, 0.0, 0
+    root = np.sqrt(inverse)
+    place, count, spread = order_bodies(rows.x, rows.y, inverse)
+    free = np.zeros(3 * count)
+    base_n, base_t = bn.copy(), bt.copy()
+    for c in range(pairs):
+        # What cannot be moved in a direction has its part of a row's speed in the target.
+        x, y = rows.x[c], rows.y[c]
+        base_t[c] -= along(rows.friction[c], x, y, start)
+        for r in range(rows.first[c], rows.first[c + 1]):
+            base_n[r] -= along(rows.normal[r], x, y, start)
+    scale_n, scale_t, ratio = np.empty(points), np.empty(pairs), np.empty(points)
+    unit = np.empty(6)
+    for c in range(pairs):
+        x, y = rows.x[c], rows.y[c]
+        for r in range(rows.first[c] - 1, rows.first[c + 1]):
+            unit[:] = rows.friction[c] if r < rows.first[c] else rows.normal[r]
+            total, all_of_it = 0.0, 0.0
+            for k in range(3):
+                total += unit[k] ** 2 * inverse[x, k] + unit[k + 3] ** 2 * inverse[y, k]
+                all_of_it += inverse[x, k] + inverse[y, k]
+            dead = total < 1e-18 * all_of_it  # the row moves nothing: a disc that can only turn is pressed
+            scale = 1.0 if dead else 1 / np.sqrt(total)
+            if r < rows.first[c]:
+                scale_t[c] = scale
+                if dead:
+                    base_t[c] = 0.0
+            else:
+                scale_n[r] = scale
+                ratio[r] = scale / scale_t[c]
+                if dead:
+                    base_n[r] = -1e100
+    # In units of the scaled rows friction's limit is mu ratio p; a slipping row drags mu scale_n friction.
+    p, q = impulse_n / scale_n, impulse_t / scale_t
+    un, ut, motion, work = np.empty(points), np.empty(pairs), np.empty(3 * count), np.empty(3 * count)
+    state_n, state_t = np.full(points, -1), np.full(pairs, -1)
+    width = 3 * spread + 2
+    band = np.empty((3 * count, 3 * width + 1))
+    pivots = np.empty(3 * count, np.int64)
+    best, best_p, best_q = np.inf, p.copy(), q.copy()
+    rounds, sweeps = 0, SWEEPS
+    while rounds < NEWTON_ROUNDS:
+        motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
+        rows_at(rows, place, root, motion, scale_n, scale_t, base_n, base_t, un, ut)
+        residual = residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t)
+        changed = sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t)
+        if residual < best:
+            best, best_p, best_q = residual, p.copy(), q.copy()
+        if best < TOLERANCE / 10 or (not changed and best < TOLERANCE):
+            break
+        rounds += 1
+        if rounds % SWEEP_EVERY == 0:
+            p, q = best_p.copy(), best_q.copy()
+            motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
+            for _ in range(sweeps):
+                sweep(rows, place, root, mu, motion, scale_n, scale_t, base_n, base_t, p, q, ratio)
+            sweeps *= 2
+            best = np.inf
+            continue
+        impose(rows, mu, p, q, ratio, state_n, state_t)
+        assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, band, width)
+        factor(band, width, pivots)
+        previous = np.inf
+        for _ in range(CORRECTIONS):
+            motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
+            rows_at(rows, place, root, motion, scale_n, scale_t, base_n, base_t, un, ut)
+            left = left_over(state_n, state_t, un, ut, scale_n, scale_t)
+            if left < TOLERANCE / 1000 or left > previous / 2:
+                break
+            previous = left
+            correct(rows, place, root, mu, scale_n, scale_t, state_n, state_t, un, ut, band, width, pivots, p, q, work)
+            impose(rows, mu, p, q, ratio, state_n, state_t)
+    if best > TOLERANCE:
+        best = finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, base_n, base_t, best_p, best_q, ratio)
+    motion_of(rows, place, root, free, scale_n, scale_t, best_p, best_q, motion)
+    for i in range(len(place)):
+        if place[i] >= 0:
+            for k in range(3):
+                out[i, k] += root[i, k] * motion[3 * place[i] + k]
+    impulse_n[:] = best_p * scale_n
+    impulse_t[:] = best_q * scale_t
+    return out, best, rounds
+
+
+@njit(cache=True)
+def finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, bn, bt, p, q, ratio):
+    """The sure and slow way; changes p and q, gives the residual."""
+    motion, un, ut = np.empty_like(free), np.empty_like(p), np.empty_like(q)
+    residual = np.inf
+    for _ in range(LAST_SWEEPS // 100):
+        motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
+        rows_at(rows, place, root, motion, scale_n, scale_t, bn, bt, un, ut)
+        residual = residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t)
+        if residual < TOLERANCE:
+            break
+        for _ in range(100):
+            sweep(rows, place, root, mu, motion, scale_n, scale_t, bn, bt, p, q, ratio)
+    return residual
+
+
+@njit(cache=True)
+def solve(rows, inverse, start, bn, bt, static, kinetic, slid, impulse_n, impulse_t):
+    """With Coulomb's law: what did not slide before may stick by static friction; what slides has the kinetic one.
+
+    `slid` says who slid and is set to who does. Gives (velocities, residual, rounds). Each pair goes over to sliding once at most.
+    """
+    pairs = len(rows.x)
+    mu = np.empty(pairs)
+    for c in range(pairs):
+        mu[c] = kinetic[c] if slid[c] else static[c]
+    total = 0
+    while True:
+        out, residual, rounds = solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t)
+        total += rounds
+        again = False
+        for c in range(pairs):
+            pressed = 0.0
+            for r in range(rows.first[c], rows.first[c + 1]):
+                pressed += impulse_n[r]
+            limit = mu[c] * pressed
+            slides = pressed > 0 and abs(impulse_t[c]) >= limit * (1 - 1e-12)
+            slides = slides and abs(along(rows.friction[c], rows.x[c], rows.y[c], out) - bt[c]) > TOLERANCE
+            if slides and mu[c] > kinetic[c]:
+                mu[c], again = kinetic[c], True
+            slid[c] = slides
+        if not again:
+            return out, residual, total
