@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cairn_tools import oracle, scene
+from cairn_tools import scene
 from cairn_tools.accuracy import error_time, frames, integrators, plot, rows, tables
 from cairn_tools.accuracy.reference import Reference
 from cairn_tools.accuracy.rows import Errors, Row, Settings
@@ -125,7 +125,6 @@ def test_a_point_is_measured_on_a_core_and_is_the_same_twice() -> None:
     assert own.errors.rms_error < coarse.errors.rms_error < 0.05
 
 
-@pytest.mark.skipif(not hasattr(oracle, "run"), reason="the oracle is being built")
 def test_adams_bashforth_is_more_accurate_at_fine_steps_and_no_more_stable() -> None:
     points = {(p.method, p.steps_per_second): p for p in integrators.measure(lambda _: None)}
     euler, adams = ({rate: points[method, rate] for rate in integrators.RATES} for method in integrators.METHODS)

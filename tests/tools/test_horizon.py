@@ -54,3 +54,20 @@ def test_compare_stops_at_the_horizon_and_goes_on_with_what_is_left() -> None:
     assert got.errors["rounding"][-1].step == got.horizon.step < 60
     assert [it.run for it in got.outcomes] == ["q16", "f64"]
     assert all(it.energy < 0 and it.highest_energy < 0.1 for it in got.outcomes)
+
+
+def test_three_errors_add_up_to_the_total() -> None:
+    got = compare.compare(scene_of("rolling"), 30, lambda _: None)
+    rounding, solver, time_step, total = (got.overall[name].max_position for name in (*compare.ERRORS, "total"))
+    assert got.reference == "closed form: rolling"
+    # Symplectic Euler lags by half a sub-step's way: what is left in a converged run is the time step's.
+    assert rounding < solver < 0.1 * time_step
+    assert time_step - solver - rounding <= total <= time_step + solver + rounding
+    assert [it.run for it in got.outcomes] == list(compare.RUNS)
+
+
+def test_a_converged_run_of_what_the_engine_integrates_exactly_has_no_error() -> None:
+    for name in ("projectile", "spring"):
+        got = compare.compare(scene_of(name), 30, lambda _: None)
+        assert got.overall["time step"].max_position < 1e-6
+        assert got.overall["solver"].max_position < 1e-6

@@ -1,8 +1,8 @@
 """How far runs of one scene are apart, and why: rounding, solver, time step, each by the run that is without it.
 
     rounding    fixed point (q16) against the same algorithm in double (f64)
-    solver      f64 against the constraints solved to convergence at the same sub-step (the oracle at that fineness)
-    time step   converged at that sub-step against the reference: a closed form, or the oracle at dt/64
+    solver      f64 against the constraints solved to convergence at the same sub-step, integrated as the engine does
+    time step   the latter against the reference: a closed form, or the oracle at dt/64
     total       q16 against the reference
 
 Positions in metres, angles in radians, over what can move. The signed differences add up to the total; the sizes told
@@ -80,8 +80,8 @@ def compare(scene: Scene, steps: int, say: Say, with_oracle: bool = True) -> Com
     until = horizon.find(scene, runs)
     against = ""
     if with_oracle:
-        say(f"{scene.name}: converged, {_own_fineness(scene)} a step")
-        runs["converged"] = reference.converged(scene, steps, _own_fineness(scene))
+        say(f"{scene.name}: converged")
+        runs["converged"] = reference.converged(scene, steps)
         say(f"{scene.name}: reference")
         against, runs["reference"] = reference.best(scene, steps)
     pairs = dict(zip(ERRORS, pairwise(runs), strict=False))
@@ -97,11 +97,6 @@ def compare(scene: Scene, steps: int, say: Say, with_oracle: bool = True) -> Com
         overall={name: overall(scene, cut[a], cut[b]) for name, (a, b) in pairs.items()},
         outcomes=[outcome(scene, name, run) for name, run in runs.items()],
     )
-
-
-def _own_fineness(scene: Scene) -> int:
-    """The slides' solver takes a step whole."""
-    return scene.substeps if scene.solver == "soft" else 1
 
 
 def outcome(scene: Scene, name: str, run: Trajectory) -> Outcome:

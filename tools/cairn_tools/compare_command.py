@@ -11,7 +11,6 @@ import typer
 from rich.table import Table
 
 from . import compare as measured
-from . import oracle
 from .compare import Comparison, Difference
 from .horizon import LSB, SEPARATED
 from .terminal import (
@@ -38,7 +37,7 @@ def compare(
     """How wrong a run is, and why: rounding, solver, time step, until chaos parts the runs; and what is left then."""
     loaded = load_scene(scene_file, solver, substeps, passes)
     with working(loaded.name) as say:
-        got = measured.compare(loaded, steps, say, with_oracle=not rounding and hasattr(oracle, "run"))
+        got = measured.compare(loaded, steps, say, with_oracle=not rounding)
     if as_json:
         print(json.dumps(record(got), indent=2))
         return

@@ -7,8 +7,13 @@ import math
 import numpy as np
 from numba import njit
 
-MIDPOINT, ADAMS_BASHFORTH, SYMPLECTIC = 0, 1, 2
-METHODS = {"euler-midpoint": MIDPOINT, "adams-bashforth": ADAMS_BASHFORTH, "symplectic": SYMPLECTIC}
+MIDPOINT, ADAMS_BASHFORTH, SYMPLECTIC, AS_ENGINE = range(4)
+METHODS = {
+    "euler-midpoint": MIDPOINT,
+    "adams-bashforth": ADAMS_BASHFORTH,
+    "symplectic": SYMPLECTIC,
+    "as-engine": AS_ENGINE,
+}
 
 
 @njit(cache=True)

@@ -12,7 +12,7 @@ from ..trajectory import Trajectory
 from . import stepping
 from .model import bodies_of
 from .motion import METHODS as CODES
-from .motion import MIDPOINT
+from .motion import AS_ENGINE, MIDPOINT
 from .world import Array, memory_of, spring_steps, world_of
 
 METHODS = tuple(CODES)
@@ -46,7 +46,8 @@ def run(
     """A scene's motion, `fineness` steps of the oracle to each of the scene's, whose numbers the trajectory has.
 
     Methods: "euler-midpoint", second order between impacts, which it finds; "adams-bashforth" and "symplectic", first order at
-    contacts, for comparison. `say` is told each step's number.
+    contacts, for comparison; "as-engine" is symplectic for bodies that a contact pushes, exact for those in free flight or
+    on springs: as the engine integrates. `say` is told each step's number.
     """
     if steps < 0 or every < 1 or fineness < 1 or method not in METHODS:
         raise ValueError(f"steps {steps}, every {every}, fineness {fineness}, method {method}")
@@ -56,7 +57,7 @@ def run(
     poses, velocities = bodies.states[:, :3].copy(), bodies.states[:, 3:].copy()
     h = 1.0 / (scene.steps_per_second * fineness)
     code = CODES[method]
-    inner = spring_steps(world, h) if code == MIDPOINT else 1
+    inner = spring_steps(world, h) if code in (MIDPOINT, AS_ENGINE) else 1
     log = np.zeros(6)
     records = [(0, bodies.states.copy(), *stepping.begin(world, memory, poses, velocities, h, log))]
     for number in range(every, steps + 1, every):

@@ -13,7 +13,7 @@ import numpy as np
 from numba import njit
 
 from .contacts import along, deepest, find_near, find_rows, follow
-from .motion import ADAMS_BASHFORTH, MIDPOINT, SYMPLECTIC, energy, move_freely
+from .motion import ADAMS_BASHFORTH, AS_ENGINE, MIDPOINT, SYMPLECTIC, energy, move_freely
 from .shapes import place_all, separation, separation_at
 from .solver import TOLERANCE, solve
 
@@ -103,7 +103,8 @@ def advance(world, memory, poses, velocities, h, method, spring_steps, margin, l
         memory.slid[:] = False
         return free_q, free_v
     turned = rows.normal, rows.friction
-    if method != SYMPLECTIC:
+    by_end = method in (SYMPLECTIC, AS_ENGINE)
+    if not by_end:
         turned = follow(world, rows, poses + velocities * (h / 2))
     bn, bt = targets_of_step(rows, *turned, velocities, h)
     rows.normal[:], rows.friction[:] = turned
@@ -113,7 +114,11 @@ def advance(world, memory, poses, velocities, h, method, spring_steps, margin, l
     v, residual, rounds = solve(rows, world.inverse, free_v, bn, bt, *laws, slid, impulse_n, impulse_t)
     remember(memory, rows, h, impulse_n, impulse_t, slid)
     note(log, residual, rounds)
-    share = 1.0 if method == SYMPLECTIC else 0.5
+    share = 1.0 if by_end else 0.5
+    if method == AS_ENGINE:
+        for i in range(len(poses)):
+            if (v[i] != free_v[i]).any():
+                free_q[i] = poses[i] + h * free_v[i]
     return free_q + (v - free_v) * (share * h), v
 
 
