@@ -51,6 +51,7 @@ class Figure:
     light: str
     dark: str = ""
     caption: str = ""
+    wide: bool = False  # the whole width of the page
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from collections.abc import Callable, Iterable
 from itertools import groupby
 from typing import Any
@@ -13,6 +12,7 @@ from ..stability import command as stability
 from ..stability import model as cases
 from ..stability import report as stability_report
 from .model import BAD, GOOD, OPEN, Cell, Figure, Grid, Options, Part, Section, Task, grid_of
+from .pictures import data_uri
 
 CORES = engine.COUNTED[:6]  # lm3s6965evb is the M3 once more
 QUICK_CASES = ["scene-stack10", "heavy-100-0.0", "spring-1000"]
@@ -174,10 +174,6 @@ def _caption(about: dict[str, Any]) -> str:
     springs = f", {about['springs']} springs" if about["springs"] else ""
     end = f"step {about['steps']}, {about['hash']}"
     return f"{about['bodies']} bodies{springs}, {about['points']} contact points; {end}"
-
-
-def data_uri(content: bytes, kind: str) -> str:
-    return f"data:{kind};base64,{b64encode(content).decode()}"
 
 
 STABILITY = Part("stability", "Stability", "tools/cairn stability", _stability_tasks, _stability)

@@ -1,18 +1,14 @@
-"""The parts that say how wrong it is: arithmetic, smooth scenes, three errors, error against run time."""
+"""The parts that say how wrong a scene is: three errors, error against run time."""
 
 from __future__ import annotations
 
 import math
-import tempfile
-from collections.abc import Callable
-from itertools import chain
-from pathlib import Path
 from typing import Any
 
 from .. import compare, compare_command, oracle, scene
-from ..accuracy import arithmetic, error_time, rows, smooth, tables
+from ..accuracy import error_time, rows, tables
 from .model import BAD, GOOD, OPEN, Cell, Figure, Grid, Options, Part, Section, Task, grid_of
-from .standing import data_uri
+from .pictures import of_files
 
 
 def _quiet(*_: Any) -> None:
@@ -44,9 +40,10 @@ def _comparison(name: str, steps: int) -> compare.Comparison:
 
 def _errors(found: list[compare.Comparison]) -> Section:
     kinds = [*compare.ERRORS, "total"]
-    columns = ["scene", "compared to", "against", *(f"{kind}, {what}" for kind in kinds for what in ("RMS", "largest"))]
-    right = [name not in ("scene", "against") for name in columns]
-    grid = Grid("Errors of position, in metres", columns, right, [_error_row(one, kinds) for one in found], COMPARED_TO)
+    columns = ["scene", "reference", "compared to step", *kinds]
+    right = [name not in ("scene", "reference") for name in columns]
+    title = "Errors of position in metres: the largest (RMS)"
+    grid = Grid(title, columns, right, [_error_row(one, kinds) for one in found], COMPARED_TO)
     rounded = [one.scene for one in found if _is_rounding(one)]
     but = f": not in {', '.join(rounded)}" if rounded else ""
     return Section(
@@ -74,12 +71,13 @@ def _is_rounding(one: compare.Comparison) -> bool:
 
 
 def _error_row(one: compare.Comparison, kinds: list[str]) -> list[Cell]:
-    step = f"{one.horizon.step}{' (chaos)' if one.horizon.chaotic else ''}"
-    numbers = chain.from_iterable(
-        (f"{one.overall[kind].rms_position:.1e}", f"{one.overall[kind].max_position:.1e}")
-        if kind in one.overall else ("-", "-") for kind in kinds
-    )  # fmt: skip
-    return [Cell(text) for text in (one.scene, step, one.reference, *numbers)]
+    step = f"{one.horizon.step}{', then chaos' if one.horizon.chaotic else ''}"
+    sizes = (_largest(one.overall.get(kind)) for kind in kinds)
+    return [Cell(text) for text in (one.scene, one.reference, step, *sizes)]
+
+
+def _largest(error: compare.Difference | None) -> str:
+    return f"{error.max_position:.1e} ({error.rms_position:.1e})" if error else "-"
 
 
 # ---- error against run time ----
@@ -108,17 +106,10 @@ def _points(name: str, seconds: float, peers: bool) -> Drawn:
 
 
 def _drawn(measured: list[rows.Row]) -> Drawn:
-    """With their plots, for light and for dark screens."""
-    import matplotlib.pyplot as plt
-
     from ..accuracy import plot
 
-    pictures = []
-    for style in ("default", "dark_background"):
-        with tempfile.TemporaryDirectory(prefix="cairn-") as folder, plt.style.context(style):
-            pictures.append([data_uri(file.read_bytes(), "image/png") for file in plot.write(measured, Path(folder))])
     names = dict.fromkeys(row.scene for row in measured)
-    return measured, [Figure(name, light, dark) for name, light, dark in zip(names, *pictures, strict=True)]
+    return measured, of_files(list(names), lambda folder: plot.write(measured, folder))
 
 
 def _times(drawn: list[Drawn]) -> Section:
@@ -137,7 +128,7 @@ def _times(drawn: list[Drawn]) -> Section:
         "their sub-steps. Choose on that line: to the left until the error is as large as the game bears.",
         tone=OPEN if short else GOOD if lines else "",
         grids=[*([summary] if lines else []), *map(grid_of, tables.tables(measured))],
-        figures=[figure for _, figures in drawn for figure in figures],
+        figures=[figure for _, own in drawn for figure in own],
         data=tables.record(measured),
     )  # fmt: skip
 
@@ -165,38 +156,5 @@ def _millimetres(row: rows.Row) -> str:
     return "nothing" if math.isnan(depth) else f"{1000 * depth:.2g} mm"
 
 
-# ---- arithmetic and smooth scenes ----
-
-
-def _of_module(module: Any, key: str, title: str, option: str, finding: Callable[[list[Any]], tuple[str, str]],
-               meaning: str, weight: float) -> Part:  # fmt: skip
-    """A part of a module of `accuracy` that has measure() and tables()."""
-    command = f"tools/cairn accuracy {option}"
-
-    def section(results: list[list[Any]]) -> Section:
-        measured = results[0]
-        sentence, tone = finding(measured)
-        grids = [grid_of(table) for table in module.tables(measured)]
-        return Section(key, title, command, sentence, meaning, tone, grids, data=measured)
-
-    return Part(key, title, command, lambda options: [Task(title.lower(), module.measure, (_quiet,), weight)], section)
-
-
-def _of_arithmetic(measured: list[Any]) -> tuple[str, str]:
-    return f"{len(measured)} primitives.", ""
-
-
-def _of_smooth(measured: list[Any]) -> tuple[str, str]:
-    return f"{len(measured)} scenes.", ""
-
-
-ARITHMETIC = _of_module(
-    arithmetic, "arithmetic", "Arithmetic", "--arithmetic", _of_arithmetic,
-    "The error of each primitive in units of its last bit, at its worst argument.", 60,
-)  # fmt: skip
-SMOOTH = _of_module(
-    smooth, "smooth", "Smooth scenes", "--smooth", _of_smooth,
-    "Motion without chaos, where fixed point can be compared with double, and both with a closed form.", 10,
-)  # fmt: skip
 ERRORS = Part("errors", "Three errors, told apart", "tools/cairn compare SCENE", _error_tasks, _errors)
 ERROR_TIME = Part("error-time", "Error against run time", "tools/cairn accuracy", _time_tasks, _times)

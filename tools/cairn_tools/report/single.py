@@ -1,0 +1,82 @@
+"""The parts of `accuracy` that are one measurement and its tables: arithmetic, smooth scenes, integrators."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+from ..accuracy import arithmetic, integrators, smooth
+from .model import Figure, Part, Section, Task, grid_of
+from .pictures import of_files
+
+
+@dataclass(frozen=True)
+class Single:
+    """A module that has measure() and tables(), perhaps plot(), and what is told of it."""
+
+    module: ModuleType
+    title: str
+    finding: Callable[[list[Any]], tuple[str, str]]  # and its tone
+    meaning: str
+    weight: float
+
+
+def _of_arithmetic(measured: list[Any]) -> tuple[str, str]:
+    return f"{len(measured)} primitives.", ""
+
+
+def _of_smooth(measured: list[Any]) -> tuple[str, str]:
+    return f"{len(measured)} scenes.", ""
+
+
+def _of_integrators(points: list[integrators.Point]) -> tuple[str, str]:
+    euler, other = ([p for p in points if p.method == method] for method in integrators.METHODS)
+    pairs = [(a, b) for a, b in zip(euler, other, strict=True) if b.rms_error < a.rms_error]
+    if not pairs:
+        return "Adams-Bashforth 2 is nowhere nearer to right than symplectic Euler.", ""
+    at = pairs[0][0].steps_per_second
+    last = [next((p.steps_per_second for p in own if p.energy_ratio < 2), 0) for own in (euler, other)]
+    return (f"Adams-Bashforth 2 is nearer to right from {at} steps a second on; it keeps its energy below twice the "
+            f"start's from {last[1]} steps a second, symplectic Euler from {last[0]}.", "")  # fmt: skip
+
+
+SINGLES = {
+    "arithmetic": Single(
+        arithmetic, "Arithmetic", _of_arithmetic,
+        "The error of each primitive in units of its last bit, at its worst argument.", 60,
+    ),
+    "smooth": Single(
+        smooth, "Smooth scenes", _of_smooth,
+        "Motion without chaos, where fixed point can be compared with double, and both with a closed form.", 10,
+    ),
+    "integrators": Single(
+        integrators, "Two ways to integrate", _of_integrators,
+        "Why the engine stays with symplectic Euler: it keeps the energy of what swings within bounds for ever, and "
+        "that is what a game sees.", 3,
+    ),
+}  # fmt: skip
+
+
+def _measured(key: str) -> tuple[list[Any], list[Figure]]:
+    single = SINGLES[key]
+    rows = single.module.measure(lambda text: None)
+    draw = getattr(single.module, "plot", None)
+    return rows, of_files([single.title], lambda folder: [draw(rows, folder / "plot.png")]) if draw else []
+
+
+def _part(key: str) -> Part:
+    single, command = SINGLES[key], f"tools/cairn accuracy --{key}"
+
+    def section(results: list[tuple[list[Any], list[Figure]]]) -> Section:
+        ((rows, figures),) = results
+        finding, tone = single.finding(rows)
+        grids = [grid_of(table) for table in single.module.tables(rows)]
+        return Section(key, single.title, command, finding, single.meaning, tone, grids, figures, rows)
+
+    return Part(key, single.title, command, lambda _: [Task(single.title.lower(), _measured, (key,), single.weight)],
+                section)  # fmt: skip
+
+
+PARTS = {key: _part(key) for key in SINGLES}
