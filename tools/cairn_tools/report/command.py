@@ -11,11 +11,18 @@ from typing import Any
 
 from .. import engine
 from ..sweep.measure import build
-from . import page, runner, standing, wrong
+from . import page, runner, single, standing, wrong
 from .model import Options, Part, Section, plain
 
-PARTS: list[Part] = [wrong.ERRORS, wrong.ERROR_TIME, standing.STABILITY, standing.BENCH, standing.MEMORY,
-                     standing.SCENES]  # fmt: skip
+PARTS: list[Part] = [
+    wrong.ERRORS,
+    wrong.ERROR_TIME,
+    single.PARTS["integrators"],
+    standing.STABILITY,
+    standing.BENCH,
+    standing.MEMORY,
+    standing.SCENES,
+]
 
 
 @dataclass(frozen=True)

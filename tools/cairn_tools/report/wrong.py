@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from .. import compare, compare_command, oracle, scene
+from .. import compare, compare_command, scene
 from ..accuracy import error_time, rows, tables
 from .model import BAD, GOOD, OPEN, Cell, Figure, Grid, Options, Part, Section, Task, grid_of
 from .pictures import of_files
@@ -35,7 +35,7 @@ COMPARED_TO = (
 
 
 def _comparison(name: str, steps: int) -> compare.Comparison:
-    return compare.compare(scene.load(scene.find(name)), steps, _quiet, with_oracle=hasattr(oracle, "run"))
+    return compare.compare(scene.load(scene.find(name)), steps, _quiet)
 
 
 def _errors(found: list[compare.Comparison]) -> Section:
