@@ -1,10 +1,10 @@
 """Two ways to integrate an oscillator: symplectic Euler, which the engine is built on, and Adams-Bashforth 2.
 
 The slides' claim: a multi-step method is more accurate and no more stable. A body of 1 kg hangs on a spring without
-damping and swings for two seconds in the oracle, at one evaluation of the force a step and at more and more steps a
-second; the closed form says where it is. Symplectic Euler is of first order, stable while w dt < 2, and keeps the energy
-within bounds. Adams-Bashforth is of second order, and its amplitude grows by a share of (w dt)^4 / 4 in each step: it is
-stable at no step, and near enough to it at fine ones.
+damping and swings for two seconds in the oracle, at one evaluation of the force a step and ever finer steps; the
+closed form says where it is. Symplectic Euler is of first order, stable while w dt < 2, and keeps the energy within
+bounds. Adams-Bashforth is of second order; its amplitude grows by a share of (w dt)^4 / 4 in each step: it is stable
+at no step, and near enough to it at fine ones.
 """
 
 from __future__ import annotations
