@@ -184,7 +184,7 @@ def _oscillator(stiffness: float, damping: float, pull: float, x: float, v: floa
 
 @dataclass(frozen=True)
 class _Face:
-    """Coordinates of a contact, along t and n from the face's start (t runs round its outline); the body's mass is 1."""
+    """Coordinates of a contact, along t and n from the face's start (t runs round its outline); mass is 1."""
 
     n: Array
     t: Array

@@ -45,9 +45,9 @@ def run(
 ) -> OracleRun:
     """A scene's motion, `fineness` steps of the oracle to each of the scene's, whose numbers the trajectory has.
 
-    Methods: "euler-midpoint", second order between impacts, which it finds; "adams-bashforth" and "symplectic", first order at
-    contacts, for comparison; "as-engine" is symplectic for bodies that a contact pushes, exact for those in free flight or
-    on springs: as the engine integrates. `say` is told each step's number.
+    Methods: "euler-midpoint", second order between impacts, which it finds; "adams-bashforth" and "symplectic",
+    first order at contacts, for comparison; "as-engine" is symplectic for bodies that a contact pushes, exact for those
+    in free flight or on springs: as the engine integrates. `say` is told each step's number.
     """
     if steps < 0 or every < 1 or fineness < 1 or method not in METHODS:
         raise ValueError(f"steps {steps}, every {every}, fineness {fineness}, method {method}")

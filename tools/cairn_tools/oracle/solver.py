@@ -1,17 +1,19 @@
 """Contact and friction of a moment, solved as a whole. Compiled by numba.
 
-Unknowns are the impulses p >= 0 of the normal rows and q of the friction rows, with the velocities v = v0 + W J'(p, q):
+Unknowns are the impulses p >= 0 of the normal rows and q of the friction rows, with the velocities
+v = v0 + W J'(p, q):
 
-    p >= 0, Jn v >= bn, p (Jn v - bn) = 0;    |q| <= mu (sum of the pair's p), and Jt v = bt or q is at that limit against it
+    p >= 0, Jn v >= bn, p (Jn v - bn) = 0
+    |q| <= mu (sum of the pair's p), and Jt v = bt or q is at that limit against it
 
 which is the complementarity problem of the slides' variant A (Stewart and Trinkle's). Rows are scaled to unit mass.
 
-Semismooth Newton on the natural map: rows are sorted into those that press, stick and slide by what p and q would be after one
-projected step; for that choice the equations are linear. Where forces are not unique (a box on two boxes) their matrix is singular;
-EPSILON on its diagonal with corrections until nothing is left (the proximal point method) finds the forces nearest to those before.
-By Woodbury's identity the matrix has the bodies' unknowns and not the rows', in the order of Cuthill and McKee: a narrow band.
-Where Newton's method comes back to a choice it had, sweeps of projected Gauss-Seidel (which decrease the error surely, and slowly)
-lead on to another one; if all fails they go on to the end.
+Semismooth Newton on the natural map: rows are sorted into those that press, stick and slide by what p and q would be
+after one projected step; for that choice the equations are linear. Where forces are not unique (a box on two boxes)
+their matrix is singular; a small epsilon on its diagonal, with corrections until nothing is left (the proximal point
+method), finds the forces nearest to those before. By Woodbury's identity the matrix has the bodies' unknowns and not
+the rows', in the order of Cuthill and McKee: a narrow band. Where Newton's method does not end, sweeps of projected
+Gauss-Seidel and another epsilon lead on to another choice; if all fails the sweeps go on to the end.
 """
 
 from __future__ import annotations
@@ -21,10 +23,11 @@ from numba import njit
 
 from .contacts import along
 
-EPSILON = 1e-8
+# On the diagonal, of rows scaled to 1; one after the other where Newton's method does not end.
+EPSILONS = np.array([1e-6, 1e-8, 1e-5, 1e-4, 1e-7, 1e-3])
 TOLERANCE = 1e-10  # m/s
 CORRECTIONS = 12
-NEWTON_ROUNDS = 60
+NEWTON_ROUNDS = 96
 SWEEP_EVERY = 8  # rounds of Newton's method without an end, then sweeps
 SWEEPS = 40
 LAST_SWEEPS = 20000
@@ -34,7 +37,7 @@ OFF, ON, SLIP_FORWARD, SLIP_BACK = 0, 1, 2, 3
 
 @njit(cache=True)
 def order_bodies(x, y, inverse):
-    """Cuthill and McKee: places of the bodies that contacts move, such that those in contact are near; their number and spread."""
+    """Cuthill and McKee: places of the bodies that contacts move, those in contact near; their number and spread."""
     bodies = len(inverse)
     movable = np.zeros(bodies, np.bool_)
     for i in range(bodies):
@@ -85,7 +88,7 @@ def order_bodies(x, y, inverse):
 
 @njit(cache=True)
 def factor(band, width, pivots):
-    """LU of a band matrix by rows, entry (i, j) at [i, j - i + width], with row exchanges (which need `width` columns more)."""
+    """LU of a band matrix, entry (i, j) at [i, j - i + width], with row exchanges, which need `width` columns more."""
     size, columns = band.shape
     for k in range(size):
         last = min(size - 1, k + width)
@@ -258,11 +261,11 @@ def impose(rows, mu, p, q, ratio, state_n, state_t):
 
 
 @njit(cache=True)
-def assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, band, width):
-    """EPSILON + sum of c j' over the rows that are on: a normal row of a pair that slides drags its friction along."""
+def assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, epsilon, band, width):
+    """epsilon + sum of c j' over the rows that are on: a normal row of a pair that slides drags its friction along."""
     band[:] = 0.0
     for i in range(3 * count):
-        band[i, width] = EPSILON
+        band[i, width] = epsilon
     left, right = np.empty(6), np.empty(6)
     for c in range(len(rows.x)):
         x, y = rows.x[c], rows.y[c]
@@ -281,7 +284,9 @@ def assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, st
 
 
 @njit(cache=True)
-def correct(rows, place, root, mu, scale_n, scale_t, state_n, state_t, un, ut, band, width, pivots, p, q, work):
+def correct(
+    rows, place, root, mu, scale_n, scale_t, state_n, state_t, epsilon, un, ut, band, width, pivots, p, q, work
+):
     """One Newton step for the rows that are on."""
     work[:] = 0.0
     for c in range(len(rows.x)):
@@ -299,9 +304,9 @@ def correct(rows, place, root, mu, scale_n, scale_t, state_n, state_t, un, ut, b
         x, y = rows.x[c], rows.y[c]
         for r in range(rows.first[c], rows.first[c + 1]):
             if state_n[r] == ON:
-                p[r] -= (un[r] + scale_n[r] * dot_row(rows.normal[r], x, y, root, place, work)) / EPSILON
+                p[r] -= (un[r] + scale_n[r] * dot_row(rows.normal[r], x, y, root, place, work)) / epsilon
         if state_t[c] == ON:
-            q[c] -= (ut[c] + scale_t[c] * dot_row(rows.friction[c], x, y, root, place, work)) / EPSILON
+            q[c] -= (ut[c] + scale_t[c] * dot_row(rows.friction[c], x, y, root, place, work)) / epsilon
 
 
 @njit(cache=True)
@@ -362,7 +367,7 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
     band = np.empty((3 * count, 3 * width + 1))
     pivots = np.empty(3 * count, np.int64)
     best, best_p, best_q = np.inf, p.copy(), q.copy()
-    rounds, sweeps = 0, SWEEPS
+    rounds, sweeps, phase = 0, SWEEPS, 0
     while rounds < NEWTON_ROUNDS:
         motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
         rows_at(rows, place, root, motion, scale_n, scale_t, base_n, base_t, un, ut)
@@ -373,16 +378,17 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
         if best < TOLERANCE / 10 or (not changed and best < TOLERANCE):
             break
         rounds += 1
+        epsilon = EPSILONS[phase % len(EPSILONS)]
         if rounds % SWEEP_EVERY == 0:
             p, q = best_p.copy(), best_q.copy()
             motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
             for _ in range(sweeps):
                 sweep(rows, place, root, mu, motion, scale_n, scale_t, base_n, base_t, p, q, ratio)
             sweeps *= 2
-            best = np.inf
+            phase += 1
             continue
         impose(rows, mu, p, q, ratio, state_n, state_t)
-        assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, band, width)
+        assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, epsilon, band, width)
         factor(band, width, pivots)
         previous = np.inf
         for _ in range(CORRECTIONS):
@@ -392,7 +398,25 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
             if left < TOLERANCE / 1000 or left > previous / 2:
                 break
             previous = left
-            correct(rows, place, root, mu, scale_n, scale_t, state_n, state_t, un, ut, band, width, pivots, p, q, work)
+            correct(
+                rows,
+                place,
+                root,
+                mu,
+                scale_n,
+                scale_t,
+                state_n,
+                state_t,
+                epsilon,
+                un,
+                ut,
+                band,
+                width,
+                pivots,
+                p,
+                q,
+                work,
+            )
             impose(rows, mu, p, q, ratio, state_n, state_t)
     if best > TOLERANCE:
         best = finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, base_n, base_t, best_p, best_q, ratio)
@@ -426,7 +450,8 @@ def finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, bn, bt, p, q
 def solve(rows, inverse, start, bn, bt, static, kinetic, slid, impulse_n, impulse_t):
     """With Coulomb's law: what did not slide before may stick by static friction; what slides has the kinetic one.
 
-    `slid` says who slid and is set to who does. Gives (velocities, residual, rounds). Each pair goes over to sliding once at most.
+    `slid` says who slid and is set to who does. Gives (velocities, residual, rounds). A pair goes over to sliding once
+    at most, so this ends.
     """
     pairs = len(rows.x)
     mu = np.empty(pairs)
