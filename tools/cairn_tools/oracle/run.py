@@ -11,8 +11,8 @@ from ..scene import Scene
 from ..trajectory import Trajectory
 from . import stepping
 from .model import bodies_of
-from .motion import METHODS as CODES
 from .motion import AS_ENGINE, MIDPOINT
+from .motion import METHODS as CODES
 from .world import Array, memory_of, spring_steps, world_of
 
 METHODS = tuple(CODES)
