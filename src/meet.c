@@ -122,7 +122,7 @@ static cairn_real radius_of(const cairn_body *body)
 }
 
 /* Boxes meet at their corners, where most bodies have none: those are farther apart than the discs around them. */
-static bool are_beyond(const cairn_body *a, const cairn_body *b)
+CAIRN_APART bool are_beyond(const cairn_body *a, const cairn_body *b)
 {
     cairn_real margin = cairn_real_above_offset(2 * CAIRN_REACH) + cairn_body_way(a) + cairn_body_way(b);
     return cairn_real_is_longer(a->x - b->x, a->y - b->y, radius_of(a) + radius_of(b) + margin);
@@ -200,21 +200,6 @@ CAIRN_APART void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a,
     }
 }
 
-/* A pair that was not found at this place in the step before. */
-CAIRN_APART void pair_unexpected(cairn_world *world, uint16_t a, uint16_t b)
-{
-    cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    if (are_beyond(body_a, body_b)) {
-        return;
-    }
-    cairn_arbiter *arbiter = cairn_arbiter_search(world, a, b);
-    if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
-        keep(world, arbiter, body_a, body_b);
-    } else {
-        meet(world, arbiter, a, b);
-    }
-}
-
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
 {
     world->stats.pairs++;
@@ -228,8 +213,12 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_arbiter *arbiter = expected(world, a, b);
     if (arbiter == NULL) {
-        pair_unexpected(world, a, b);
-    } else if (cairn_arbiter_holds(arbiter, body_a, body_b)) {
+        if (are_beyond(body_a, body_b)) {
+            return;
+        }
+        arbiter = cairn_arbiter_search(world, a, b);
+    }
+    if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
         keep(world, arbiter, body_a, body_b);
     } else {
         meet(world, arbiter, a, b);

@@ -3,10 +3,11 @@
  * Coordinates are cairn_real; only comparisons, additions and halvings are needed.
  *
  * Bodies lie in the tree by boxes that are wider than they need at the time, and it serves until one of them leaves its own. Which of these boxes
- * overlap is known as long, so that a step looks only at the bodies of such pairs, and enters no cell that has none.
+ * overlap is known as long: those pairs lie behind the entries, so that a step looks at them alone and enters no cell. Where they do not fit all bodies of
+ * a leaf are held against one another in each step.
  *
  * Cells at the border reach to infinity, since a body's place is decided by the centre lines alone: bodies outside of
- * the bounds need no care. A pair that meets in several leaves is reported in the one that holds the lower left corner
+ * the bounds need no care. A pair that meets in several leaves is kept in the one that holds the lower left corner
  * of the boxes' overlap.
  */
 #include "quadtree_walk.h"
@@ -41,7 +42,7 @@ static inline bool is_in(const cairn_body *body, const cairn_quadtree_box *box)
     return body->extent_x + cairn_spot_way(box->x, body->x) <= box->extent_x && body->extent_y + cairn_spot_way(box->y, body->y) <= box->extent_y;
 }
 
-static bool all_are_in(const cairn_world *world)
+CAIRN_APART bool all_are_in(const cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     const cairn_quadtree_box *box = world->tree->boxes;
@@ -66,7 +67,7 @@ static void empty(cairn_quadtree_cell *cell)
 {
     cell->child = 0;
     cell->first = CAIRN_NONE;
-    cell->count = cell->heads = 0;
+    cell->count = 0;
 }
 
 /* All bodies into the root, the first of the pool in front. There are at least as many entries as bodies. */
@@ -228,37 +229,33 @@ static inline bool are_near(const cairn_world *world, uint16_t a, uint16_t b)
         && !(world->bodies[a].flags & world->bodies[b].flags & CAIRN_STATIC);
 }
 
-static bool is_near_one_behind(const cairn_world *world, const cairn_quadtree_entry *entry)
+/* Keep a pair behind the entries, if there is room. */
+static void keep(cairn_quadtree *tree, uint16_t a, uint16_t b)
 {
-    for (uint16_t other = entry->next; other != CAIRN_NONE; other = world->tree->entries[other].next) {
-        if (are_near(world, entry->body, world->tree->entries[other].body)) {
-            return true;
-        }
+    tree->knows_pairs = tree->knows_pairs && tree->pair_end < tree->entry_capacity;
+    if (tree->knows_pairs) {
+        tree->entries[tree->pair_end].body = a;
+        tree->entries[tree->pair_end++].next = b;
     }
-    return false;
 }
 
-/* Those of a leaf that are near one behind them come to the front, in their order. */
-CAIRN_APART void find_heads(const cairn_world *world, cairn_quadtree_cell *leaf)
+/* The pairs of a leaf whose boxes overlap. */
+CAIRN_APART void keep_pairs(const cairn_world *world, const cairn_quadtree_place *place)
 {
-    cairn_quadtree_entry *entries = world->tree->entries;
-    uint16_t rest = CAIRN_NONE, *last = &leaf->first, *last_of_rest = &rest;
-    leaf->heads = 0;
-    for (uint16_t entry = leaf->first; entry != CAIRN_NONE; entry = entries[entry].next) {
-        if (is_near_one_behind(world, &entries[entry])) {
-            *last = entry;
-            last = &entries[entry].next;
-            leaf->heads++;
-        } else {
-            *last_of_rest = entry;
-            last_of_rest = &entries[entry].next;
+    cairn_quadtree *tree = world->tree;
+    const cairn_quadtree_entry *entries = tree->entries;
+    for (uint16_t entry = tree->cells[place->cell].first; entry != CAIRN_NONE; entry = entries[entry].next) {
+        uint16_t a = entries[entry].body;
+        for (uint16_t other = entries[entry].next; other != CAIRN_NONE; other = entries[other].next) {
+            uint16_t b = entries[other].body;
+            if (are_near(world, a, b) && reports(world, place, a, b)) {
+                keep(tree, a, b);
+            }
         }
     }
-    *last_of_rest = CAIRN_NONE;
-    *last = rest;
 }
 
-/* Split what is to be split, and mark the cells that hold bodies near one another. */
+/* Split what is to be split, then keep the pairs if there is room for all of them. */
 CAIRN_APART void rebuild(cairn_world *world)
 {
     cairn_quadtree *tree = world->tree;
@@ -270,58 +267,71 @@ CAIRN_APART void rebuild(cairn_world *world)
     fill_root(world, tree);
     cairn_quadtree_walk_start(tree, &walk);
     do {
-        cairn_quadtree_cell *cell = &tree->cells[walk.place.cell];
         refine(world, tree, &walk);
-        if (cell->child != 0) {
-            cell->heads = 0;
-            continue;
-        }
-        find_heads(world, cell);
-        for (int depth = walk.depth; cell->heads != 0 && depth > 0; depth--) {
-            tree->cells[walk.path[depth - 1]].heads = 1;
-        }
     } while (cairn_quadtree_walk_next(tree, &walk));
     world->stats.tree_cells = tree->cell_end;
-    world->stats.tree_entries = tree->entry_end;
+    world->stats.tree_entries = tree->pair_end = tree->entry_end;
+    tree->knows_pairs = true;
+    cairn_quadtree_walk_start(tree, &walk);
+    do {
+        if (tree->cells[walk.place.cell].child == 0) {
+            keep_pairs(world, &walk.place);
+        }
+    } while (tree->knows_pairs && cairn_quadtree_walk_next(tree, &walk));
+    world->stats.tree_full = (uint16_t)(world->stats.tree_full + (tree->knows_pairs ? 0 : 1));
 }
 
-/* One body against those behind it in the leaf. */
-static void pair_with_rest(cairn_world *world, const cairn_quadtree_place *place, const cairn_quadtree_entry *entry)
+static inline bool may_pair(const cairn_world *world, uint16_t a, uint16_t b)
 {
-    const cairn_quadtree_entry *entries = world->tree->entries;
-    const cairn_body *a = &world->bodies[entry->body];
-    bool idle = !cairn_body_is_active(a);
-    for (uint16_t other = entry->next; other != CAIRN_NONE; other = entries[other].next) {
-        uint16_t index = entries[other].body;
-        const cairn_body *b = &world->bodies[index];
-        if (cairn_boxes_are_near(a, b, 0) && !(idle && !cairn_body_is_active(b)) && reports(world, place, entry->body, index)) {
-            cairn_arbiter_pair(world, entry->body, index);
+    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    return cairn_boxes_are_near(body_a, body_b, 0) && (cairn_body_is_active(body_a) || cairn_body_is_active(body_b));
+}
+
+CAIRN_APART void look_at_kept(cairn_world *world)
+{
+    const cairn_quadtree_entry *end = world->tree->entries + world->tree->pair_end;
+    for (const cairn_quadtree_entry *pair = world->tree->entries + world->tree->entry_end; pair != end; pair++) {
+        if (may_pair(world, pair->body, pair->next)) {
+            cairn_arbiter_pair(world, pair->body, pair->next);
         }
     }
+}
+
+/* A body against those behind it in the leaf. */
+static inline void look_behind(cairn_world *world, const cairn_quadtree_place *place, const cairn_quadtree_entry *entry)
+{
+    const cairn_quadtree_entry *entries = world->tree->entries;
+    for (uint16_t other = entry->next; other != CAIRN_NONE; other = entries[other].next) {
+        if (may_pair(world, entry->body, entries[other].body) && reports(world, place, entry->body, entries[other].body)) {
+            cairn_arbiter_pair(world, entry->body, entries[other].body);
+        }
+    }
+}
+
+/* Where there was no room for the pairs. */
+CAIRN_APART void look_through_leaves(cairn_world *world)
+{
+    cairn_quadtree *tree = world->tree;
+    cairn_quadtree_walk walk;
+    cairn_quadtree_walk_start(tree, &walk);
+    do {
+        const cairn_quadtree_cell *cell = &tree->cells[walk.place.cell];
+        for (uint16_t entry = cell->child != 0 ? CAIRN_NONE : cell->first; entry != CAIRN_NONE; entry = tree->entries[entry].next) {
+            look_behind(world, &walk.place, &tree->entries[entry]);
+        }
+    } while (cairn_quadtree_walk_next(tree, &walk));
 }
 
 static void find_pairs(cairn_world *world)
 {
-    cairn_quadtree *tree = world->tree;
-    cairn_quadtree_walk walk;
-    bool more = true;
     if (world->placed || !all_are_in(world)) {
         rebuild(world);
         world->placed = false;
     }
-    cairn_quadtree_walk_start(tree, &walk);
-    while (more) {
-        const cairn_quadtree_cell *cell = &tree->cells[walk.place.cell];
-        if (cell->child != 0 && cell->heads != 0) {
-            more = cairn_quadtree_walk_next(tree, &walk);
-            continue;
-        }
-        uint16_t entry = cell->first;
-        for (uint16_t left = cell->child != 0 ? 0 : cell->heads; left > 0; left--) {
-            pair_with_rest(world, &walk.place, &tree->entries[entry]);
-            entry = tree->entries[entry].next;
-        }
-        more = cairn_quadtree_walk_over(tree, &walk);
+    if (world->tree->knows_pairs) {
+        look_at_kept(world);
+    } else {
+        look_through_leaves(world);
     }
 }
 

@@ -32,17 +32,8 @@ static void leave(cairn_quadtree_walk *walk)
     walk->place.size += walk->place.size;
 }
 
-bool cairn_quadtree_walk_next(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
-{
-    uint16_t child = tree->cells[walk->place.cell].child;
-    if (child != 0) {
-        enter(tree, walk, child, 0);
-        return true;
-    }
-    return cairn_quadtree_walk_over(tree, walk);
-}
-
-bool cairn_quadtree_walk_over(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
+/* To the next cell, without those below the present one. */
+static bool walk_over(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
 {
     while (walk->depth > 0) {
         uint16_t cell = walk->path[walk->depth];
@@ -54,4 +45,14 @@ bool cairn_quadtree_walk_over(const cairn_quadtree *tree, cairn_quadtree_walk *w
         }
     }
     return false;
+}
+
+bool cairn_quadtree_walk_next(const cairn_quadtree *tree, cairn_quadtree_walk *walk)
+{
+    uint16_t child = tree->cells[walk->place.cell].child;
+    if (child != 0) {
+        enter(tree, walk, child, 0);
+        return true;
+    }
+    return walk_over(tree, walk);
 }

@@ -25,7 +25,5 @@ typedef struct cairn_quadtree_walk {
 void cairn_quadtree_walk_start(const cairn_quadtree *tree, cairn_quadtree_walk *walk);
 /* To the first child of the present cell, else to the next cell that was not visited; false at the end. */
 bool cairn_quadtree_walk_next(const cairn_quadtree *tree, cairn_quadtree_walk *walk);
-/* The same, without those below the present one. */
-bool cairn_quadtree_walk_over(const cairn_quadtree *tree, cairn_quadtree_walk *walk);
 
 #endif

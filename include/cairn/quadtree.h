@@ -13,14 +13,13 @@ extern "C" {
 
 typedef struct cairn_quadtree_cell {
     uint16_t child; /* the first of four, or 0 for a leaf */
-    uint16_t first; /* entry list of a leaf: those first that are near one behind them */
+    uint16_t first; /* entry list of a leaf */
     uint16_t count;
-    uint16_t heads; /* how many those are; of others, whether there are any below */
 } cairn_quadtree_cell;
 
 typedef struct cairn_quadtree_entry {
     uint16_t body;
-    uint16_t next;
+    uint16_t next; /* in its leaf; or of a pair, the other body */
 } cairn_quadtree_entry;
 
 /* Where a body was when the tree was made, and half the size of the box in which it is found. */
@@ -35,10 +34,12 @@ typedef struct cairn_quadtree {
     cairn_quadtree_entry *entries;
     uint16_t cell_capacity, entry_capacity;
     uint16_t cell_end, entry_end;
+    uint16_t pair_end; /* behind the entries: pairs whose boxes overlap, each once */
     cairn_real x, y;  /* the lower left corner of the root */
     uint8_t size_log2; /* its side is 2^size_log2 m */
     uint8_t depth;
     uint8_t leaf_length;
+    bool knows_pairs; /* there was room for all of them */
 } cairn_quadtree;
 
 typedef struct cairn_quadtree_storage {
@@ -49,7 +50,10 @@ typedef struct cairn_quadtree_storage {
     uint16_t box_capacity, cell_capacity, entry_capacity;
 } cairn_quadtree_storage;
 
-/* Declare, at file scope, the memory of a tree for a world of so many bodies. Good sizes: as many cells as bodies, four times as many entries. */
+/*
+ * Declare, at file scope, the memory of a tree for a world of so many bodies. Good sizes: as many cells as bodies, four times as many entries, and
+ * eight times in heaps, whose pairs are kept behind the entries if there is room for all of them, which is quicker.
+ */
 #define CAIRN_QUADTREE(name, body_count, cell_count, entry_count) \
     static cairn_quadtree name##_tree; \
     static cairn_quadtree_box name##_boxes[body_count]; \

@@ -67,7 +67,7 @@ typedef struct cairn_world_stats {
     uint16_t arbiters, points;
     uint16_t springs;
     uint16_t tree_cells, tree_entries; /* of the quadtree */
-    uint16_t tree_full;                /* leaves that stayed longer than wished because a pool was full */
+    uint16_t tree_full;                /* leaves that stayed longer than wished because a pool was full, and one more if pairs could not be kept */
 } cairn_world_stats;
 
 /* The layout is the engine's own. */

@@ -321,6 +321,27 @@ void test_a_long_floor_takes_few_entries(void)
     TEST_ASSERT_EQUAL(0, world->stats.tree_full);
 }
 
+static const cairn_shape wide_crate = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
+
+void test_pairs_are_kept_where_there_is_room_for_them(void)
+{
+    cairn_world *world = cairn_world_init(&memory, cairn_vec2_of(0, 0));
+    cairn_quadtree_storage storage = tree_memory;
+    add_grid(world, &wide_crate, 6, 5);
+    uint16_t pairs = 0;
+    for (int i = 0; i < 2; i++) {
+        bool room = i == 0;
+        finding found;
+        storage.entry_capacity = room ? ENTRIES : BODIES;
+        TEST_ASSERT_EQUAL(CAIRN_OK, cairn_quadtree_enable(world, &storage, cairn_vec2_of(0, 0), 5, 1));
+        search(world, &found);
+        TEST_ASSERT_EQUAL(room, world->tree->knows_pairs);
+        TEST_ASSERT_EQUAL(room ? 0 : 1, world->stats.tree_full);
+        TEST_ASSERT_TRUE(found.pairs >= 49 && (room || found.pairs == pairs)); /* neighbours */
+        pairs = found.pairs;
+    }
+}
+
 void test_bodies_that_fill_the_world_do_not_split_it(void)
 {
     cairn_world *world = cairn_world_init(&memory, cairn_vec2_of(0, CAIRN_F(-10)));
