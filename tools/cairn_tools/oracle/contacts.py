@@ -12,6 +12,8 @@ from .shapes import contact, features, place_all, separation
 from .world import Ints
 
 SKIN = 0.05  # m: pairs are looked for again when something has moved by half of it
+SAME_PLACE = 0.02  # m between a contact and the one before that it goes on from
+DRIFT = 2e-5  # m: what pressed before may have come apart by the error of a step
 
 
 class Rows(NamedTuple):
@@ -72,8 +74,17 @@ def jacobian(x, y, nx, ny, px, py, poses, out):
 
 
 @njit(cache=True)
+def force_before(memory, pair, px, py):
+    """The force of the step before at a contact's place."""
+    for k in range(2):
+        if abs(px - memory.place[pair, k, 0]) + abs(py - memory.place[pair, k, 1]) < SAME_PLACE:
+            return memory.force_n[pair, k]
+    return 0.0
+
+
+@njit(cache=True)
 def find_rows(world, memory, poses, margin):
-    """The contacts whose gap is below the margin."""
+    """The contacts whose gap is below the margin, and those that pressed before and are hardly open."""
     find_near(world, memory, poses)
     points, normals = place_all(world, poses)
     most = memory.near_count[0]
@@ -87,11 +98,11 @@ def find_rows(world, memory, poses, margin):
     for k in range(most):
         p = memory.near[k]
         i, j = world.pairs[p, 0], world.pairs[p, 1]
-        number = features(world, i, j, poses, points, normals, margin, found)
+        number = features(world, i, j, poses, points, normals, max(margin, DRIFT), found)
         start, least = total, np.inf
         for f in range(number):
             nx, ny, px, py, g = contact(world, found[f], poses, points, normals)
-            if g > margin:
+            if g > margin and (g > DRIFT or force_before(memory, p, px, py) == 0):
                 continue
             body_x, body_y = found[f, 1], found[f, 3]
             if total == start:

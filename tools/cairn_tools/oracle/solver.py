@@ -13,7 +13,7 @@ after one projected step; for that choice the equations are linear. Where forces
 their matrix is singular; a small epsilon on its diagonal, with corrections until nothing is left (the proximal point
 method), finds the forces nearest to those before. By Woodbury's identity the matrix has the bodies' unknowns and not
 the rows', in the order of Cuthill and McKee: a narrow band. Where Newton's method does not end, sweeps of projected
-Gauss-Seidel and another epsilon lead on to another choice; if all fails the sweeps go on to the end.
+Gauss-Seidel, more each time, and another epsilon lead on to another choice.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ CORRECTIONS = 12
 NEWTON_ROUNDS = 96
 SWEEP_EVERY = 8  # rounds of Newton's method without an end, then sweeps
 SWEEPS = 40
-LAST_SWEEPS = 20000
+MOST_ROUNDS = 400
 
 OFF, ON, SLIP_FORWARD, SLIP_BACK = 0, 1, 2, 3
 
@@ -322,7 +322,7 @@ def left_over(state_n, state_t, un, ut, scale_n, scale_t):
 
 
 @njit(cache=True)
-def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
+def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, most_rounds, sweeps):
     """For given coefficients of friction: changes the impulses in place; gives (velocities, residual, rounds)."""
     out = start.copy()
     pairs, points = len(rows.x), len(rows.gap)
@@ -367,8 +367,8 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
     band = np.empty((3 * count, 3 * width + 1))
     pivots = np.empty(3 * count, np.int64)
     best, best_p, best_q = np.inf, p.copy(), q.copy()
-    rounds, sweeps, phase = 0, SWEEPS, 0
-    while rounds < NEWTON_ROUNDS:
+    rounds, phase = 0, 0
+    while rounds < most_rounds:
         motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
         rows_at(rows, place, root, motion, scale_n, scale_t, base_n, base_t, un, ut)
         residual = residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t)
@@ -418,8 +418,6 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
                 work,
             )
             impose(rows, mu, p, q, ratio, state_n, state_t)
-    if best > TOLERANCE:
-        best = finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, base_n, base_t, best_p, best_q, ratio)
     motion_of(rows, place, root, free, scale_n, scale_t, best_p, best_q, motion)
     for i in range(len(place)):
         if place[i] >= 0:
@@ -431,46 +429,36 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t):
 
 
 @njit(cache=True)
-def finish_by_sweeps(rows, place, root, mu, free, scale_n, scale_t, bn, bt, p, q, ratio):
-    """The sure and slow way; changes p and q, gives the residual."""
-    motion, un, ut = np.empty_like(free), np.empty_like(p), np.empty_like(q)
-    residual = np.inf
-    for _ in range(LAST_SWEEPS // 100):
-        motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
-        rows_at(rows, place, root, motion, scale_n, scale_t, bn, bt, un, ut)
-        residual = residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t)
-        if residual < TOLERANCE:
-            break
-        for _ in range(100):
-            sweep(rows, place, root, mu, motion, scale_n, scale_t, bn, bt, p, q, ratio)
-    return residual
+def who_slides(rows, mu, bt, velocities, impulse_n, impulse_t, slides):
+    """The pairs whose friction is at its limit and whose surfaces move past one another."""
+    for c in range(len(mu)):
+        pressed = 0.0
+        for r in range(rows.first[c], rows.first[c + 1]):
+            pressed += impulse_n[r]
+        at_limit = pressed > 0 and abs(impulse_t[c]) >= mu[c] * pressed * (1 - 1e-12)
+        slip = along(rows.friction[c], rows.x[c], rows.y[c], velocities) - bt[c]
+        slides[c] = at_limit and abs(slip) > TOLERANCE
 
 
-@njit(cache=True)
 def solve(rows, inverse, start, bn, bt, static, kinetic, slid, impulse_n, impulse_t):
     """With Coulomb's law: what did not slide before may stick by static friction; what slides has the kinetic one.
 
     `slid` says who slid and is set to who does. Gives (velocities, residual, rounds). A pair goes over to sliding once
     at most, so this ends.
     """
-    pairs = len(rows.x)
-    mu = np.empty(pairs)
-    for c in range(pairs):
-        mu[c] = kinetic[c] if slid[c] else static[c]
+    mu = np.where(slid, kinetic, static)
     total = 0
     while True:
-        out, residual, rounds = solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t)
+        out, residual, rounds = solve_cone(
+            rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, NEWTON_ROUNDS, SWEEPS
+        )
+        while residual > TOLERANCE and rounds < MOST_ROUNDS:
+            # The sure and slow way: ever more sweeps, and looks whether Newton's method ends from there.
+            more = 2 * rounds
+            out, residual, rounds = solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, more, 8 * more)
         total += rounds
-        again = False
-        for c in range(pairs):
-            pressed = 0.0
-            for r in range(rows.first[c], rows.first[c + 1]):
-                pressed += impulse_n[r]
-            limit = mu[c] * pressed
-            slides = pressed > 0 and abs(impulse_t[c]) >= limit * (1 - 1e-12)
-            slides = slides and abs(along(rows.friction[c], rows.x[c], rows.y[c], out) - bt[c]) > TOLERANCE
-            if slides and mu[c] > kinetic[c]:
-                mu[c], again = kinetic[c], True
-            slid[c] = slides
-        if not again:
+        who_slides(rows, mu, bt, out, impulse_n, impulse_t, slid)
+        new = slid & (mu > kinetic)
+        if not new.any():
             return out, residual, total
+        mu = np.where(new, kinetic, mu)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from .contacts import along, deepest, find_near, find_rows, follow
+from .contacts import along, deepest, find_near, find_rows, follow, force_before
 from .motion import ADAMS_BASHFORTH, AS_ENGINE, MIDPOINT, SYMPLECTIC, energy, move_freely
 from .shapes import place_all, separation, separation_at
 from .solver import TOLERANCE, solve
@@ -23,7 +23,10 @@ ENTERED = 2e-9  # m of overlap that is an impact, if it came about faster than
 SLOW = 1e-3  # m/s
 APART = 1e-9  # m of overlap that is moved apart at the end of a step
 MOST_CUTS = 20
-SAME_PLACE = 0.02  # m between a contact and the one before whose force it begins with
+# Of a step that contacts' impulses move bodies by: their mean speed's where methods are of second order.
+SHARES = {MIDPOINT: 0.5, ADAMS_BASHFORTH: 0.0}
+HOLD = 1e-10  # m of gap or overlap that a contact may keep; of what is beyond it a step takes back
+PULL = 0.1
 
 # What is told of a run: largest residual, solves that did not converge, solves, rounds of them, cuts, and the largest
 # overlap that was moved apart.
@@ -56,10 +59,7 @@ def recall(memory, rows, h, impulse_n, impulse_t, slid):
         slid[c] = memory.slid[p]
         impulse_t[c] = memory.force_t[p] * h
         for r in range(rows.first[c], rows.first[c + 1]):
-            for old in range(2):
-                dx, dy = rows.place[r, 0] - memory.place[p, old, 0], rows.place[r, 1] - memory.place[p, old, 1]
-                if abs(dx) + abs(dy) < SAME_PLACE:
-                    impulse_n[r] = memory.force_n[p, old] * h
+            impulse_n[r] = force_before(memory, p, rows.place[r, 0], rows.place[r, 1]) * h
 
 
 @njit(cache=True)
@@ -78,11 +78,11 @@ def remember(memory, rows, h, impulse_n, impulse_t, slid):
 
 
 @njit(cache=True)
-def targets_of_step(rows, normal, friction, velocities, h):
+def targets_of_step(rows, normal, friction, velocities, pressed, h):
     """What a step's rows may be at its end, (normal, friction), from the rows at its start and in its middle.
 
-    A closed contact's target is 0 and not what is left of its gap, 1e-11 m: over a step that is 1e-7 m/s, on which the
-    points of a pile do not agree.
+    A closed contact's target leaves HOLD of gap alone: over a step 1e-11 m are 1e-7 m/s, on which the points of a pile
+    do not agree.
     """
     points, pairs = len(rows.gap), len(rows.x)
     bn, bt = np.empty(points), np.empty(pairs)
@@ -91,9 +91,22 @@ def targets_of_step(rows, normal, friction, velocities, h):
         # The rows of the end are as much beyond those of the middle as these are beyond those of the start.
         bt[c] = along(rows.friction[c], x, y, velocities) - along(friction[c], x, y, velocities)
         for r in range(rows.first[c], rows.first[c + 1]):
-            turn = along(rows.normal[r], x, y, velocities) - along(normal[r], x, y, velocities)
-            bn[r] = turn - (rows.gap[r] / h if rows.gap[r] > CLOSED else 0.0)
+            gap = rows.gap[r]
+            share = 1.0 if gap > CLOSED and pressed[r] == 0 else PULL
+            beyond = max(gap - HOLD, 0.0) + min(gap + HOLD, 0.0)
+            bn[r] = along(rows.normal[r], x, y, velocities) - along(normal[r], x, y, velocities) - share * beyond / h
     return bn, bt
+
+
+@njit(cache=True)
+def fastest_closing(rows, velocities):
+    """Of the closed contacts."""
+    worst = 0.0
+    for r in range(len(rows.gap)):
+        if rows.gap[r] < CLOSED:
+            c = rows.owner[r]
+            worst = max(worst, -along(rows.normal[r], rows.x[c], rows.y[c], velocities))
+    return worst
 
 
 def nothing(rows):
@@ -103,24 +116,26 @@ def nothing(rows):
 
 def advance(world, memory, poses, velocities, h, method, spring_steps, margin, log):
     """One step without looking for impacts: (poses, velocities) at its end. Contacts are those within the margin."""
-    free_q, free_v = move_freely(world, memory, poses, velocities, h, method, spring_steps)
     rows = find_rows(world, memory, poses, margin)
-    if len(rows.x) == 0:
-        memory.slid[:] = False
-        return free_q, free_v
-    turned = rows.normal, rows.friction
-    by_end = method in (SYMPLECTIC, AS_ENGINE)
-    if not by_end:
-        turned = follow(world, rows, poses + velocities * (h / 2))
-    bn, bt = targets_of_step(rows, *turned, velocities, h)
-    rows.normal[:], rows.friction[:] = turned
+    exact = method == MIDPOINT
+    if exact and fastest_closing(rows, velocities) > SLOW:
+        # By chance a step has ended just before an impact.
+        velocities = strike(world, memory, poses, velocities, rest_speed(world, h), log)
+    free_q, free_v = move_freely(world, memory, poses, velocities, h, method, spring_steps)
     impulse_n, impulse_t, slid = nothing(rows)
+    if len(rows.x) == 0:
+        remember(memory, rows, h, impulse_n, impulse_t, slid)
+        return free_q, free_v
     recall(memory, rows, h, impulse_n, impulse_t, slid)
+    by_end = method in (SYMPLECTIC, AS_ENGINE)
+    turned = (rows.normal, rows.friction) if by_end else follow(world, rows, poses + velocities * (h / 2))
+    bn, bt = targets_of_step(rows, *turned, velocities, impulse_n, h)
+    rows.normal[:], rows.friction[:] = turned
     laws = laws_of(world, rows)
     v, residual, rounds = solve(rows, world.inverse, free_v, bn, bt, *laws, slid, impulse_n, impulse_t)
     remember(memory, rows, h, impulse_n, impulse_t, slid)
     note(log, residual, rounds)
-    share = 1.0 if by_end else 0.5
+    share = SHARES.get(method, 1.0)
     if method == AS_ENGINE:
         for i in range(len(poses)):
             if (v[i] != free_v[i]).any():
@@ -129,24 +144,29 @@ def advance(world, memory, poses, velocities, h, method, spring_steps, margin, l
 
 
 @njit(cache=True)
-def targets_of_impact(world, rows, velocities, rest_speed):
+def targets_of_impact(world, rows, velocities, slowest):
     """Newton's law of restitution: what a row is to be at least after the impact."""
     out = np.zeros(len(rows.gap))
     for r in range(len(out)):
         c = rows.owner[r]
         approach = -along(rows.normal[r], rows.x[c], rows.y[c], velocities)
-        if approach > max(world.threshold[rows.pair[c]], rest_speed):
+        if approach > max(world.threshold[rows.pair[c]], slowest):
             out[r] = world.restitution[rows.pair[c]] * approach
     return out
 
 
-def strike(world, memory, poses, velocities, rest_speed, log):
+def rest_speed(world, h):
+    """What closes slower rests: gravity makes as much of it in two steps."""
+    return 2 * h * float(np.hypot(world.pull[:, 0], world.pull[:, 1]).max())
+
+
+def strike(world, memory, poses, velocities, slowest, log):
     """The velocities after the impacts of all closed contacts at once."""
     rows = find_rows(world, memory, poses, CLOSED)
     if len(rows.x) == 0:
         return velocities
     impulse_n, impulse_t, slid = nothing(rows)
-    bn, bt = targets_of_impact(world, rows, velocities, rest_speed), np.zeros(len(rows.x))
+    bn, bt = targets_of_impact(world, rows, velocities, slowest), np.zeros(len(rows.x))
     laws = laws_of(world, rows)
     v, residual, rounds = solve(rows, world.inverse, velocities, bn, bt, *laws, slid, impulse_n, impulse_t)
     note(log, residual, rounds)
@@ -225,7 +245,6 @@ def largest_closing(velocities, reach):
 def step(world, memory, poses, velocities, h, method, spring_steps, log):
     """One step of length h; changes poses and velocities."""
     left, cuts = h, 0
-    rest_speed = 2 * h * float(np.hypot(world.pull[:, 0], world.pull[:, 1]).max())
     exact = method == MIDPOINT
     while left > 0:
         last = cuts >= MOST_CUTS
@@ -244,7 +263,7 @@ def step(world, memory, poses, velocities, h, method, spring_steps, log):
                     q, v = advance(world, memory, poses, velocities, done, method, inner, CLOSED, log)
                 else:
                     q, v = poses.copy(), velocities.copy()
-                v = strike(world, memory, q, v, rest_speed, log)
+                v = strike(world, memory, q, v, rest_speed(world, h), log)
                 cuts += 1
                 log[CUTS] += 1
         poses[:] = q
@@ -268,6 +287,5 @@ def run_steps(world, memory, poses, velocities, h, steps, method, spring_steps, 
 def begin(world, memory, poses, velocities, h, log):
     """Before the first step: nothing overlaps, and what touches and closes has met."""
     move_apart(world, memory, poses, log)
-    rest_speed = 2 * h * float(np.hypot(world.pull[:, 0], world.pull[:, 1]).max())
-    velocities[:] = strike(world, memory, poses, velocities, rest_speed, log)
+    velocities[:] = strike(world, memory, poses, velocities, rest_speed(world, h), log)
     return energy(world, poses, velocities), deepest(world, memory, poses)

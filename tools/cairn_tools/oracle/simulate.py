@@ -10,12 +10,14 @@ import numpy as np
 from ..scene import Scene
 from ..trajectory import Trajectory
 from . import stepping
-from .model import bodies_of
+from .model import Array, bodies_of
 from .motion import AS_ENGINE, MIDPOINT
 from .motion import METHODS as CODES
-from .world import Array, memory_of, spring_steps, world_of
+from .world import Memory, World, memory_of, spring_steps, world_of
 
 METHODS = tuple(CODES)
+# Columns of OracleRun.contacts: two bodies; forces in N, both points' along the normal, each one's, and friction.
+CONTACT = ("a", "b", "normal", "first", "second", "friction")
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class OracleRun:
     rounds: int  # of Newton's method, all solves together
     impacts: int  # moments at which steps were cut
     moved_apart: float  # m, the largest overlap that was taken back by place
+    contacts: Array  # at the end, of the last part of a step, see CONTACT
 
 
 def run(
@@ -78,4 +81,11 @@ def run(
         int(log[stepping.ROUNDS]),
         int(log[stepping.CUTS]),
         float(log[stepping.MOVED]),
+        _contacts(world, memory),
     )
+
+
+def _contacts(world: World, memory: Memory) -> Array:
+    pressed = np.flatnonzero(memory.force_n.any(axis=1))
+    force = memory.force_n[pressed]
+    return np.column_stack([world.pairs[pressed], force.sum(axis=1), force, memory.force_t[pressed]])
