@@ -182,14 +182,27 @@ def between(q0, v0, q1, v1, h, part):
 
 
 @njit(cache=True)
-def speed_between(q0, v0, q1, v1, h, part):
-    """Its derivative."""
-    return 6 * part * (1 - part) / h * (q1 - q0) + (1 - part) * (1 - 3 * part) * v0 + part * (3 * part - 2) * v1
+def crossing(world, i, j, q0, v0, q1, v1, h, high, speed):
+    """The part of a step, up to `high`, after which two bodies overlap by more than ENTERED and this speed make."""
+    low = 0.0
+    for _ in range(50):
+        middle = (low + high) / 2
+        pose_i = between(q0[i], v0[i], q1[i], v1[i], h, middle)
+        pose_j = between(q0[j], v0[j], q1[j], v1[j], h, middle)
+        if separation_at(world, i, j, pose_i, pose_j) < -ENTERED - speed * h * middle:
+            high = middle
+        else:
+            low = middle
+    return high
 
 
 @njit(cache=True)
 def first_impact(world, memory, q0, v0, q1, v1, h, only_bouncing):
-    """The part of the step after which something is hit, 2 if nothing is."""
+    """The part of the step after which something is hit, 2 if nothing is.
+
+    An overlap that grows by less than SLOW is a step's own error or two surfaces at rest. Where there is more, its
+    moment is found to ENTERED, unless there was an overlap before.
+    """
     find_near(world, memory, q1)
     points, normals = place_all(world, q1)
     earliest = 2.0
@@ -199,28 +212,13 @@ def first_impact(world, memory, q0, v0, q1, v1, h, only_bouncing):
         if only_bouncing and world.restitution[p] == 0:
             continue
         d = separation(world, i, j, q1[i], q1[j], points[i], normals[i], points[j], normals[j])
-        if d >= -ENTERED:
+        if d >= -ENTERED - SLOW * h:
             continue
-        low, high = 0.0, min(1.0, earliest)
-        for _ in range(50):
-            middle = (low + high) / 2
-            pose_i, pose_j = (
-                between(q0[i], v0[i], q1[i], v1[i], h, middle),
-                between(q0[j], v0[j], q1[j], v1[j], h, middle),
-            )
-            if separation_at(world, i, j, pose_i, pose_j) < -ENTERED:
-                high = middle
-            else:
-                low = middle
-        # Still to be slower than the speed of an impact: a step's own error, or what two surfaces at rest do.
-        more = min(1.0, high + 1e-3)
-        pose_i, pose_j = between(q0[i], v0[i], q1[i], v1[i], h, more), between(q0[j], v0[j], q1[j], v1[j], h, more)
-        less = max(0.0, more - 2e-3)
-        last_i, last_j = between(q0[i], v0[i], q1[i], v1[i], h, less), between(q0[j], v0[j], q1[j], v1[j], h, less)
-        closing = separation_at(world, i, j, last_i, last_j) - separation_at(world, i, j, pose_i, pose_j)
-        fast = closing > SLOW * (more - less) * h / 2
-        if fast and high < earliest:
-            earliest = high
+        part = crossing(world, i, j, q0, v0, q1, v1, h, 1.0, SLOW)
+        if part < earliest:
+            if separation_at(world, i, j, q0[i], q0[j]) > -ENTERED:
+                part = crossing(world, i, j, q0, v0, q1, v1, h, part, 0.0)
+            earliest = part
     return earliest
 
 
