@@ -120,6 +120,8 @@ def test_texts_are_escaped_on_the_page() -> None:
     text = page.html([section], ABOUT)
     assert "<script>" not in text and "&lt;script&gt;1 &amp; <strong>2</strong>" in text
     assert Parsed(text).open == []
+    lines = page.markdown([section]).splitlines()
+    assert lines[-3:] == ["| a |", "| --- |", "| <script>1 & **2**</script> |"]
 
 
 def test_json_has_no_odd_numbers() -> None:

@@ -31,6 +31,7 @@ class Written:
 
     page: Path
     record: Path
+    tables: Path
     broke: list[str]
 
 
@@ -42,8 +43,10 @@ def write(folder: Path, options: Options, workers: int, tell: runner.Tell) -> Wr
     about = page.About(_version(), _commit(), build(), options.quick, options.peers)
     sections = [entry.section for entry in done]
     seconds = {entry.section.key: round(entry.seconds, 1) for entry in done}
-    got = Written(folder / "index.html", folder / "report.json", [e.section.finding for e in done if e.broke])
+    names = ("index.html", "report.json", "tables.md")
+    got = Written(*(folder / name for name in names), [entry.section.finding for entry in done if entry.broke])
     got.page.write_text(page.html(sections, about), encoding="utf-8")
+    got.tables.write_text(page.markdown(sections), encoding="utf-8")
     got.record.write_text(json.dumps(record(sections, about, seconds), indent=1) + "\n", encoding="utf-8")
     return got
 

@@ -40,6 +40,20 @@ def html(sections: list[Section], about: About) -> str:
     return template.render(sections=sections, about=about, signs=SIGNS)
 
 
+def markdown(sections: list[Section]) -> str:
+    """The tables alone, for documents."""
+    lines: list[str] = []
+    for section in sections:
+        lines += [f"## {section.title}", "", f"    {section.command}", "", section.finding, ""]
+        for grid in section.grids:
+            rules = ["---:" if right else "---" for right in grid.right]
+            rows = [grid.columns, rules, *([cell.text for cell in row] for row in grid.rows)]
+            lines += [f"**{grid.title}**", ""] if grid.title else []
+            lines += [f"| {' | '.join(row)} |" for row in rows]
+            lines += ["", grid.caption, ""] if grid.caption else [""]
+    return "\n".join(lines)
+
+
 def prose(text: str) -> Markup:
     """Between two **: strong. Between two `: code."""
     safe = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", str(escape(text)))

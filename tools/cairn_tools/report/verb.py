@@ -14,7 +14,7 @@ WORKERS = min(2, os.cpu_count() or 1)
 
 
 def report(
-    out: Annotated[Path, typer.Option(metavar="DIR", help="For index.html and report.json; made where missing.")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="For index.html, report.json and tables.md.")],
     quick: Annotated[bool, typer.Option("--quick", help="A few rows of each part, in seconds.")] = False,
     peers: Annotated[bool, typer.Option("--peers", help="Chipmunk and Box2D too; fetches their sources.")] = False,
     workers: Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes.")] = WORKERS,
@@ -29,6 +29,6 @@ def report(
         written = command.write(place, Options(quick, peers), workers, tell)
     for line in written.broke:
         print(f"not measured: {line}")
-    print(f"{written.page} and {written.record} are written")
+    print(f"{written.page}, {written.record.name} and {written.tables.name} are written")
     if written.broke:
         raise typer.Exit(1)

@@ -19,7 +19,7 @@ def _quiet(*_: Any) -> None:
 
 # Smooth scenes first, then what stands, then what falls apart into chaos; steps of each.
 COMPARED = {"projectile": 120, "spring": 120, "rolling": 120, "bounce": 120, "stack10": 120, "pyramid10": 120,
-            "tower": 120, "curtain150": 120, "mixed50": 120, "bridge": 120}  # fmt: skip
+            "tower": 120, "curtain150": 120, "mixed50": 60, "bridge": 60}  # fmt: skip
 
 
 def _error_tasks(options: Options) -> list[Task]:
