@@ -97,6 +97,7 @@ def test_a_peer_that_is_cheaper_or_nearer_is_told() -> None:
     lines = tables.sentences(points)
     assert "NOT below and left of box2d, 8 iterations, 60 Hz (2.0e+00 to 3.0e+00, 10.0 times" in lines[0]
     assert len(lines) == 2  # there is no contact error here
+    assert not tables.sentences([row(2, 0.0), row(20, 0.0, "chipmunk")])  # nothing touches
     assert "all 1 points" in tables.sentences(points[:2])[0]
 
 

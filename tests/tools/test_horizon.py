@@ -67,7 +67,7 @@ def test_three_errors_add_up_to_the_total() -> None:
 
 
 def test_a_converged_run_of_what_the_engine_integrates_exactly_has_no_error() -> None:
-    for name in ("projectile", "spring"):
-        got = compare.compare(scene_of(name), 30, lambda _: None)
+    for name in ("projectile", "spring", "bounce"):
+        got = compare.compare(scene_of(name), 100, lambda _: None)
         assert got.overall["time step"].max_position < 1e-6
         assert got.overall["solver"].max_position < 1e-6

@@ -24,6 +24,12 @@ from . import tables as tables_module
 
 PARTS = (arithmetic_module, smooth_module, integrators_module)
 
+PEERS_AS_RUN = (
+    "Chipmunk lets bodies overlap by its slop, set to 5 mm (by default 0.1 m, meant for pixels), and Box2D by 5 mm of "
+    "slop, less the skins of 10 mm that its polygons have, so that its crates hover. Box2D makes 3 position iterations "
+    "to 8 velocity iterations. What else they run with, `tools/cairn bench --peers` tells.",
+)
+
 
 def accuracy(
     arithmetic: Annotated[bool, typer.Option("--arithmetic", help="Only the primitives, in LSB.")] = False,
@@ -61,7 +67,7 @@ def accuracy(
         return
     for grid in tables_module.tables(rows):
         show(grid)
-    for line in tables_module.sentences(rows):
+    for line in [*tables_module.sentences(rows), *(PEERS_AS_RUN if peers else ())]:
         print(f"- {line}")
 
 

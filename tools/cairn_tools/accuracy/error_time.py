@@ -144,8 +144,8 @@ def verdicts(rows: list[Row]) -> list[Verdict]:
         for row in (row for row in of_peers if row.settings.engine != "cairn"):
             for measure in MEASURES:
                 own, theirs = value(default, measure), value(row, measure)
-                if math.isnan(own) and math.isnan(theirs):
-                    continue
+                if (math.isnan(own) and math.isnan(theirs)) or own == theirs == 0:
+                    continue  # nothing rests, or nothing touches
                 times = row.instructions_per_frame / default.instructions_per_frame
                 found.append(Verdict(row.scene, row.core, row.settings, measure, own, theirs, times))
     return found

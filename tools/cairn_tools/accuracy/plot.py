@@ -18,7 +18,7 @@ from .tables import groups
 
 COLOURS = dict(zip(RATES, ("tab:cyan", "tab:blue", "tab:purple", "tab:pink"), strict=True))
 PEERS = {"chipmunk": ("tab:orange", "s"), "box2d": ("tab:red", "D")}
-FLOOR = 1e-6  # metres: below the resolution of the positions, drawn here
+FLOOR = 1e-6  # metres: what is nearer to 0, below the resolution of the positions, is drawn here
 
 
 def write(rows: list[Row], folder: Path) -> list[Path]:
@@ -58,6 +58,7 @@ def _label(measure: str, row: Row) -> str:
 
 def _points(axes: Axes, group: list[Row], measure: str) -> None:
     axes.set(xscale="log", yscale="log")
+    axes.margins(x=0.1)
     known = [row for row in group if math.isfinite(value(row, measure))]
     own = [row for row in known if row.settings.engine == "cairn"]
     for row in own:
@@ -65,6 +66,8 @@ def _points(axes: Axes, group: list[Row], measure: str) -> None:
         marker = "^" if row.settings.solver == "slides" else "P" if row.settings.sleep else "o"
         faint = 0.45 if row.settings.solver == "slides" else 1.0
         axes.plot(*_place(row, measure), marker, color=colour, ms=5, alpha=faint, zorder=3)
+    if any(value(row, measure) < FLOOR for row in known):
+        axes.annotate("0", (0.0, FLOOR), xycoords=("axes fraction", "data"), xytext=(4, -3), textcoords="offset points")
     best = front(own, measure)
     axes.plot(*zip(*(_place(row, measure) for row in best), strict=True), "-", color="0.4", lw=1, zorder=2)
     for row in best:

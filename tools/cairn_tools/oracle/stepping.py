@@ -22,6 +22,7 @@ CLOSED = 1e-8  # m: below it a contact is closed
 ENTERED = 2e-9  # m of overlap that is an impact, if it came about faster than
 SLOW = 1e-3  # m/s
 APART = 1e-9  # m of overlap that is moved apart at the end of a step
+FAST = 1e6  # m/s: faster than anything
 MOST_CUTS = 20
 # Of a step that contacts' impulses move bodies by: their mean speed's where methods are of second order.
 SHARES = {MIDPOINT: 0.5, ADAMS_BASHFORTH: 0.0}
@@ -114,11 +115,23 @@ def nothing(rows):
     return np.zeros(len(rows.gap)), np.zeros(len(rows.x)), np.zeros(len(rows.x), np.bool_)
 
 
+@njit(cache=True)
+def let_bounce(world, rows, velocities, bn):
+    """What will rebound is not slowed on its way: it is stopped by its impact."""
+    for r in range(len(rows.gap)):
+        c = rows.owner[r]
+        p = rows.pair[c]
+        approach = -along(rows.normal[r], rows.x[c], rows.y[c], velocities)
+        if rows.gap[r] > CLOSED and world.restitution[p] > 0 and approach > world.threshold[p]:
+            bn[r] = -FAST
+
+
 def advance(world, memory, poses, velocities, h, method, spring_steps, margin, log):
     """One step without looking for impacts: (poses, velocities) at its end. Contacts are those within the margin."""
     rows = find_rows(world, memory, poses, margin)
     exact = method == MIDPOINT
-    if exact and fastest_closing(rows, velocities) > SLOW:
+    by_end = method in (SYMPLECTIC, AS_ENGINE)
+    if (exact or (by_end and world.restitution.any())) and fastest_closing(rows, velocities) > SLOW:
         # By chance a step has ended just before an impact.
         velocities = strike(world, memory, poses, velocities, rest_speed(world, h), log)
     free_q, free_v = move_freely(world, memory, poses, velocities, h, method, spring_steps)
@@ -127,9 +140,10 @@ def advance(world, memory, poses, velocities, h, method, spring_steps, margin, l
         remember(memory, rows, h, impulse_n, impulse_t, slid)
         return free_q, free_v
     recall(memory, rows, h, impulse_n, impulse_t, slid)
-    by_end = method in (SYMPLECTIC, AS_ENGINE)
     turned = (rows.normal, rows.friction) if by_end else follow(world, rows, poses + velocities * (h / 2))
     bn, bt = targets_of_step(rows, *turned, velocities, impulse_n, h)
+    if by_end:
+        let_bounce(world, rows, free_v, bn)
     rows.normal[:], rows.friction[:] = turned
     laws = laws_of(world, rows)
     v, residual, rounds = solve(rows, world.inverse, free_v, bn, bt, *laws, slid, impulse_n, impulse_t)
