@@ -85,7 +85,7 @@ void cairn_bodies_look_ahead(cairn_world *world)
     bool watches = world->continuous != NULL;
     world->fast = 0;
     world->coasted = false;
-    uint16_t awake = 0;
+    unsigned awake = 0;
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (!cairn_body_is_active(body)) {
             continue;
@@ -106,9 +106,9 @@ void cairn_bodies_look_ahead(cairn_world *world)
                 world->fast++;
             }
         }
-        awake = (uint16_t)(awake + (way != 0 || cairn_body_is_dynamic(body) ? 1 : 0)); /* not what stands still by itself */
+        awake += way != 0 || cairn_body_is_dynamic(body) ? 1u : 0u; /* not what stands still by itself */
     }
-    world->stats.awake = awake;
+    world->stats.awake = (uint16_t)awake;
 }
 
 void cairn_bodies_end_search(cairn_world *world)

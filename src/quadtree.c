@@ -20,11 +20,11 @@ static inline cairn_real center_y(const cairn_world *world, uint16_t body) { ret
 
 /* ---- boxes for several steps ---- */
 
-/* Room for sixteen steps as it moves now and an eighth of its size, but for no more than all of that. */
+/* Room for twenty steps as it moves now and an eighth of its half size, but for no more than half as much again as that size. */
 static cairn_extent wider(cairn_extent extent, cairn_real way)
 {
-    cairn_real half = cairn_real_from_extent(extent), more = 16 * way + half / 8;
-    return cairn_extent_above(half + (more < half ? more : half) + CAIRN_F(1.0 / 128));
+    cairn_real half = cairn_real_from_extent(extent), more = 20 * way + half / 8, most = half + half / 2;
+    return cairn_extent_above(half + (more < most ? more : most) + CAIRN_F(1.0 / 128));
 }
 
 static void set_box(const cairn_body *body, cairn_quadtree_box *box)

@@ -159,7 +159,7 @@ static bool goes(const cairn_world *world, cairn_body *body, const fall *f)
 }
 
 /* The first sub-step's velocities. Of bodies that do not take part one after the other, the first tells where the next is that does. */
-static void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_motion gy)
+CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_body *idle = NULL;
