@@ -5,14 +5,16 @@ import json
 import math
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import cloudpickle
 import pytest
 from cairn_tools import engine, scene
 from cairn_tools.errors import UserError
-from cairn_tools.sweep import command, measure, settings, table
+from cairn_tools.sweep import cluster, command, measure, settings, table
 from dask.distributed import LocalCluster
 
 ROOT = Path(__file__).parents[2]
@@ -254,11 +256,17 @@ def test_a_sweep_too_large_or_with_a_parameter_twice_is_refused() -> None:
 
 
 def test_a_scheduler_that_is_not_there_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from cairn_tools.sweep import cluster
-
     monkeypatch.setattr(cluster, "SECONDS_TO_CONNECT", 1)
     with pytest.raises(UserError, match="no Dask scheduler"):
         swept(tmp_path / "a.csv", "tcp://127.0.0.1:9", ["spring"], [])
+
+
+def test_a_scheduler_need_not_know_cairn_tools(tmp_path: Path) -> None:
+    for function in (cluster._probe(), cluster._row()):
+        code = "import cloudpickle, sys; cloudpickle.load(sys.stdin.buffer)"
+        command = [sys.executable, "-c", code]
+        done = subprocess.run(command, input=cloudpickle.dumps(function), cwd=tmp_path, env={}, check=False)
+        assert done.returncode == 0
 
 
 def test_a_scheduler_without_workers_is_told(tmp_path: Path) -> None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import logging
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from itertools import islice
+from typing import Any
 
-from dask.distributed import Client, LocalCluster, as_completed
+from dask.distributed import Client, Future, LocalCluster, as_completed
 
 from ..engine import EngineError
 from ..errors import UserError
@@ -43,12 +45,11 @@ def _existing(address: str) -> Iterator[Client]:
     with connected:
         if not connected.scheduler_info()["workers"]:
             raise UserError(f"--scheduler {address}: it has no workers")
-        try:
-            builds = connected.run(measure.prepare)
-        except ModuleNotFoundError:
+        builds = connected.run(_probe()).values()
+        if not all(builds):
             raise UserError(f"--scheduler {address}: its workers do not find cairn_tools: start them with "
-                            "PYTHONPATH=CLONE/tools") from None  # fmt: skip
-        others = [build for build in builds.values() if build != measure.build()]
+                            "PYTHONPATH=CLONE/tools")  # fmt: skip
+        others = [build for build in builds if build != measure.build()]
         if others:
             raise UserError(f"--scheduler {address}: its workers have another engine, build {others[0]}, "
                             f"not {measure.build()}")  # fmt: skip
@@ -60,8 +61,10 @@ def rows(connected: Client, jobs: list[Job], seconds: float) -> Iterator[measure
     threads = sum(worker["nthreads"] for worker in connected.scheduler_info()["workers"].values())
     waiting = iter(jobs)
 
-    def submitted(count: int) -> list:
-        return [connected.submit(measure.row, job, seconds, pure=False) for job in islice(waiting, count)]
+    row = _row()
+
+    def submitted(count: int) -> list[Future]:
+        return [connected.submit(row, asdict(job), seconds, pure=False) for job in islice(waiting, count)]
 
     running = as_completed(submitted(AHEAD * max(threads, 1)), with_results=True, raise_errors=False)
     for future, result in running:
@@ -69,6 +72,30 @@ def rows(connected: Client, jobs: list[Job], seconds: float) -> Iterator[measure
             raise EngineError(f"a row did not end: {future.exception()}")
         running.update(submitted(1))
         yield result
+
+
+# A scheduler unpacks what it hands on and need not know cairn_tools: functions within functions travel as they are, and
+# take what Python has itself.
+
+
+def _probe() -> Callable[[], str]:
+    def probe() -> str:
+        try:
+            from cairn_tools.sweep import measure
+        except ImportError:
+            return ""
+        return measure.prepare()
+
+    return probe
+
+
+def _row() -> Callable[[dict[str, Any], float], measure.Row]:
+    def row(job: dict[str, Any], seconds: float) -> measure.Row:
+        from cairn_tools.sweep import measure, settings
+
+        return measure.row(settings.Job(**{**job, "settings": settings.Settings(**job["settings"])}), seconds)
+
+    return row
 
 
 def default_workers() -> int:
