@@ -189,6 +189,15 @@ static inline void exchange(uint16_t *a, uint16_t *b)
     *b = swap;
 }
 
+/*
+ * The discs lie no farther apart than the points: only what hangs in the air may be beyond. It is forgotten then, as it is where it is
+ * not the one expected here, for the order of pairs may not tell.
+ */
+static inline bool hangs_beyond(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+{
+    return arbiter->rows[0].gap > CAIRN_MOTION(0.005) && are_beyond(a, b);
+}
+
 /* Rows that hold. */
 CAIRN_APART void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
 {
@@ -219,7 +228,9 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         arbiter = cairn_arbiter_search(world, a, b);
     }
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
-        keep(world, arbiter, body_a, body_b);
+        if (!hangs_beyond(arbiter, body_a, body_b)) {
+            keep(world, arbiter, body_a, body_b);
+        }
     } else {
         meet(world, arbiter, a, b);
     }
