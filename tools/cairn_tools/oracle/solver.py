@@ -13,7 +13,7 @@ after one projected step; for that choice the equations are linear. Where forces
 their matrix is singular; a small epsilon on its diagonal, with corrections until nothing is left (the proximal point
 method), finds the forces nearest to those before. By Woodbury's identity the matrix has the bodies' unknowns and not
 the rows', in the order of Cuthill and McKee: a narrow band. Where Newton's method does not end, sweeps of projected
-Gauss-Seidel, more each time, and another epsilon lead on to another choice.
+Gauss-Seidel, more each time, another epsilon and chance lead on to another choice.
 """
 
 from __future__ import annotations
@@ -27,10 +27,11 @@ from .contacts import along
 EPSILONS = np.array([1e-6, 1e-8, 1e-5, 1e-4, 1e-7, 1e-3])
 TOLERANCE = 1e-10  # m/s
 CORRECTIONS = 12
-NEWTON_ROUNDS = 96
-SWEEP_EVERY = 8  # rounds of Newton's method without an end, then sweeps
+NEWTON_ROUNDS = 400
+FULL_ROUNDS = 8  # of Newton's method; then sweeps, and rounds that change half of what they would
+HALF_ROUNDS = 60
 SWEEPS = 40
-MOST_ROUNDS = 400
+MOST_ROUNDS = 4000
 
 OFF, ON, SLIP_FORWARD, SLIP_BACK = 0, 1, 2, 3
 
@@ -227,24 +228,39 @@ def sweep(rows, place, root, mu, motion, scale_n, scale_t, bn, bt, p, q, ratio):
 
 
 @njit(cache=True)
-def sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t):
-    """The choice that the natural map makes; says whether it is another one than before."""
+def sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t, seed):
+    """The choice that the natural map makes; says whether it is another one than before.
+
+    With a seed above 0 a random half of what is to change does: what goes round in circles finds a way out.
+    """
     changed = False
     for c in range(len(q)):
         any_on = False
         for r in range(rows.first[c], rows.first[c + 1]):
             state = ON if p[r] - un[r] > 0 else OFF
             any_on |= state == ON
-            changed |= state != state_n[r]
-            state_n[r] = state
+            if state != state_n[r]:
+                changed = True
+                seed = next_random(seed)
+                if seed & 65536 == 0:
+                    state_n[r] = state
         state = OFF
         if any_on and mu[c] > 0:
             limit = bound_of(rows, c, mu, p, ratio)
             wish = q[c] - ut[c]
             state = SLIP_FORWARD if wish > limit else (SLIP_BACK if wish < -limit else ON)
-        changed |= state != state_t[c]
-        state_t[c] = state
+        if state != state_t[c]:
+            changed = True
+            seed = next_random(seed)
+            if seed & 65536 == 0:
+                state_t[c] = state
     return changed
+
+
+@njit(cache=True)
+def next_random(seed):
+    """Of an old generator, whose bit 16 is random enough for this; 0 stays 0."""
+    return (seed * 1103515245 + 12345) & 0x7FFFFFFF if seed > 0 else 0
 
 
 @njit(cache=True)
@@ -367,25 +383,28 @@ def solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, most_roun
     band = np.empty((3 * count, 3 * width + 1))
     pivots = np.empty(3 * count, np.int64)
     best, best_p, best_q = np.inf, p.copy(), q.copy()
-    rounds, phase = 0, 0
+    rounds, phase, left_in_phase, seed = 0, 0, FULL_ROUNDS, 0
     while rounds < most_rounds:
         motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
         rows_at(rows, place, root, motion, scale_n, scale_t, base_n, base_t, un, ut)
         residual = residual_of(rows, mu, p, q, un, ut, ratio, scale_n, scale_t)
-        changed = sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t)
+        changed = sort_rows(rows, mu, p, q, un, ut, ratio, state_n, state_t, seed)
         if residual < best:
             best, best_p, best_q = residual, p.copy(), q.copy()
         if best < TOLERANCE / 10 or (not changed and best < TOLERANCE):
             break
         rounds += 1
         epsilon = EPSILONS[phase % len(EPSILONS)]
-        if rounds % SWEEP_EVERY == 0:
+        left_in_phase -= 1
+        seed = rounds if phase > 0 else 0
+        if left_in_phase == 0:
             p, q = best_p.copy(), best_q.copy()
             motion_of(rows, place, root, free, scale_n, scale_t, p, q, motion)
             for _ in range(sweeps):
                 sweep(rows, place, root, mu, motion, scale_n, scale_t, base_n, base_t, p, q, ratio)
-            sweeps *= 2
+            sweeps += sweeps // 2
             phase += 1
+            left_in_phase, seed = HALF_ROUNDS, 0
             continue
         impose(rows, mu, p, q, ratio, state_n, state_t)
         assemble(rows, place, root, count, spread, mu, scale_n, scale_t, state_n, state_t, epsilon, band, width)
@@ -453,7 +472,7 @@ def solve(rows, inverse, start, bn, bt, static, kinetic, slid, impulse_n, impuls
             rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, NEWTON_ROUNDS, SWEEPS
         )
         while residual > TOLERANCE and rounds < MOST_ROUNDS:
-            # The sure and slow way: ever more sweeps, and looks whether Newton's method ends from there.
+            # Ever more sweeps, and looks whether Newton's method ends from there.
             more = 2 * rounds
             out, residual, rounds = solve_cone(rows, inverse, start, bn, bt, mu, impulse_n, impulse_t, more, 8 * more)
         total += rounds
