@@ -240,9 +240,6 @@ static inline uint8_t next_path_of_two(const cairn_world *world, const cairn_arb
 {
     int way = before & CAIRN_PATH_WAY;
     bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
-    if (way == CAIRN_PATH_IDLE) { /* the next step chooses, see idle.c */
-        return (uint8_t)(way | (arbiter->rows[0].gap > 0 && arbiter->rows[1].gap > 0 ? CAIRN_PATH_APART : 0));
-    }
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
 }
 
@@ -263,6 +260,15 @@ static inline void follow(const cairn_world *world, cairn_arbiter *arbiter, cons
     }
 }
 
+/* What was idle and still hangs in the air may be so again, which the next step will tell; what touches is looked at anew. */
+CAIRN_APART void follow_idle(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
+{
+    bool two = arbiter->count > 1, serves = two ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest);
+    unsigned turns = two ? arbiter->path & CAIRN_PATH_FRESH : 0; /* of its points, as follow_two() says */
+    unsigned apart = cairn_flag_if(two && arbiter->rows[1].gap > 0, CAIRN_PATH_APART);
+    arbiter->path = (uint8_t)(serves && arbiter->rows[0].gap > 0 ? CAIRN_PATH_IDLE | turns | apart : CAIRN_PATH_NONE);
+}
+
 void cairn_arbiters_follow(cairn_world *world)
 {
     /* With an allowed penetration no gap is known. */
@@ -274,8 +280,10 @@ void cairn_arbiters_follow(cairn_world *world)
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
         arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
-        if ((flags & CAIRN_ARBITER_SOLVED) || cairn_arbiter_idles(arbiter)) {
+        if (flags & CAIRN_ARBITER_SOLVED) {
             follow(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
+        } else if (cairn_arbiter_idles(arbiter)) {
+            follow_idle(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
         }
     }
 }

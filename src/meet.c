@@ -190,23 +190,31 @@ static inline void exchange(uint16_t *a, uint16_t *b)
 }
 
 /*
- * The discs lie no farther apart than the points: only what hangs in the air may be beyond. It is forgotten then, as it is where it is
- * not the one expected here, for the order of pairs may not tell.
+ * Rows that hold, of points that hang in the air. The discs lie no farther apart than the points: what is beyond is forgotten, as it is where
+ * it is not the one expected here, for the order of pairs may not tell.
  */
-static inline bool hangs_beyond(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+CAIRN_APART void keep_aloft(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
 {
-    return arbiter->rows[0].gap > CAIRN_MOTION(0.005) && are_beyond(a, b);
-}
-
-/* Rows that hold. */
-CAIRN_APART void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
-{
-    renew(world, arbiter, arbiter->rows[0].gap <= 0 || (arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART)));
+    if (arbiter->rows[0].gap > CAIRN_MOTION(0.005) && are_beyond(a, b)) {
+        return;
+    }
+    renew(world, arbiter, arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART));
     if (arbiter->friction_impulse != 0 || (((a->flags | b->flags) & CAIRN_BODY_MET) && !cairn_arbiter_idles(arbiter))) {
         cairn_arbiter_engage(world, arbiter, a, b);
     } else {
         cairn_arbiter_engage_unless_idle(world, arbiter);
     }
+}
+
+/* Rows that hold. What touches is no idle one: see follow() in hold.c. */
+static inline void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
+{
+    if (arbiter->rows[0].gap > 0) {
+        keep_aloft(world, arbiter, a, b);
+        return;
+    }
+    renew(world, arbiter, true);
+    cairn_arbiter_engage(world, arbiter, a, b);
 }
 
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
@@ -228,9 +236,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         arbiter = cairn_arbiter_search(world, a, b);
     }
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
-        if (!hangs_beyond(arbiter, body_a, body_b)) {
-            keep(world, arbiter, body_a, body_b);
-        }
+        keep(world, arbiter, body_a, body_b);
     } else {
         meet(world, arbiter, a, b);
     }
