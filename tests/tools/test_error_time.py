@@ -13,6 +13,7 @@ from cairn_tools import scene
 from cairn_tools.accuracy import error_time, frames, integrators, plot, rows, tables
 from cairn_tools.accuracy.reference import Reference
 from cairn_tools.accuracy.rows import Errors, Row, Settings
+from cairn_tools.errors import UserError
 
 CRATE = scene.Shape("box", 0.0, ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)))
 
@@ -76,6 +77,12 @@ def test_settings_hold_the_default_and_each_of_its_neighbours() -> None:
     assert {replace(own, sleep=True), replace(own, quadtree=False), replace(own, substeps=16)} <= set(settings)
     assert len(settings) == len(set(settings)) == 28
     assert len({s.label for s in settings}) == 28
+
+
+def test_a_scene_without_those_frames_is_refused() -> None:
+    with pytest.raises(UserError, match="steps_per_second: must be a multiple of 30"):
+        error_time.of(replace(scene_of("stack10"), steps_per_second=50))
+    assert error_time.of(scene_of("mixed50"))[1] == 4.0
 
 
 def row(cost: float, error: float, engine: str = "cairn", **changes: object) -> Row:

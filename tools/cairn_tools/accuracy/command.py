@@ -12,6 +12,7 @@ from typing import Annotated, Any
 import typer
 from rich.table import Table
 
+from .. import peers as peers_module
 from .. import scene
 from ..bench_tables import print_markdown
 from ..errors import UserError
@@ -52,9 +53,11 @@ def accuracy(
         if plot:
             integrators_module.plot(rows, folder(plot) / "integrators.png")
         return
+    cores = [c.value for c in core or ()] or list(error_time.CORES)
+    if peers and (unfit := [name for name in cores if name not in peers_module.CORES]):
+        raise UserError(f"--peers runs on {' '.join(peers_module.CORES)}, not on {unfit[0]}")
     place = folder(plot) if plot else None
     scenes = [error_time.of(scene.load(scene.find(name))) for name in dict.fromkeys(scene_name or error_time.SCENES)]
-    cores = [c.value for c in core or ()] or list(error_time.CORES)
     with bar("error against run time") as say:
         rows = error_time.measure(scenes, cores, peers, say)
     if place:

@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .. import engine
+from ..errors import UserError
 from ..scene import Scene
-from .reference import Reference
+from .reference import FRAMES, Reference
 from .rig import Rig
 from .rows import PEERS, Row, Settings
 
@@ -40,6 +41,8 @@ Say = Callable[[int, int], None]
 
 def of(scene: Scene) -> tuple[Scene, float]:
     """A scene and how long it is run."""
+    if scene.steps_per_second % FRAMES:
+        raise UserError(f"{scene.path}: steps_per_second: must be a multiple of {FRAMES} to have frames in common")
     return scene, SCENES.get(scene.name, SECONDS)
 
 

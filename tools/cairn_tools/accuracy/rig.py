@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -25,8 +26,7 @@ class Rig:
 
     @staticmethod
     def build(scene: Scene, core: str, folder: Path, with_peers: bool) -> Rig:
-        place = folder / f"{scene.name}-{core}"
-        place.mkdir()
+        place = Path(tempfile.mkdtemp(dir=folder))
         engine.build_image(_with_tree(scene, place), core, place / "runner.elf")
         if with_peers:
             peers.fetch()
