@@ -445,6 +445,41 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1);
 }
 
+/* Where a step stands in a turn of 2^16: steps of the golden ratio fill it evenly, however many there are. */
+static int32_t turn_of(uint32_t step) { return (int32_t)((step * 40503u) & 0xFFFFu); }
+
+cairn_lever cairn_lever_in_turn(cairn_offset arm, cairn_wide inverse_gyration, uint32_t step)
+{
+    int32_t fine = cairn_clamp(cairn_wide_scale(arm, inverse_gyration, 6), CAIRN_LEVER_MAX << 15); /* Q2.28 */
+    return (cairn_lever)((fine + (turn_of(step) >> 1)) >> 15);
+}
+
+cairn_dir cairn_dir_in_turn(cairn_unit u, uint32_t step)
+{
+    if ((u & 65535) == 0) { return (cairn_dir)(u >> 16); }
+    return (cairn_dir)(2 * ((u - 65536 + 2 * turn_of(step)) >> 17) + 1);
+}
+
+cairn_lean cairn_dir_lean(cairn_unit x, cairn_unit y, cairn_dir dx, cairn_dir dy)
+{
+    int32_t rest_x = x - dx * 65536, rest_y = y - dy * 65536; /* at most two units of Q14 */
+    return (cairn_lean)(((rest_y >> 2) * dx - (rest_x >> 2) * dy + 16384) >> 15);
+}
+
+/* Of x / 2^14, what lies beyond the nearest whole number. */
+static int32_t beyond(uint32_t x) { return (int32_t)((x + 8192u) & 16383u) - 8192; }
+
+void cairn_motion_add_lack(cairn_motion *vx, cairn_motion *vy, cairn_motion push, cairn_motion rub, cairn_dir dx, cairn_dir dy, cairn_lean lean,
+                           int times, uint32_t step)
+{
+    /* All in 2^-14 of a unit. What is cut off is 2000 times what gravity presses with. */
+    int32_t across = cairn_clamp(cairn_mul32(cairn_clamp(push, CAIRN_MOTION(1)), lean, 13), 1 << 26), turn = turn_of(step) >> 2;
+    int32_t x = beyond((uint32_t)push * (uint32_t)dx - (uint32_t)rub * (uint32_t)dy);
+    int32_t y = beyond((uint32_t)rub * (uint32_t)dx + (uint32_t)push * (uint32_t)dy);
+    *vx += (times * (x - cairn_mul16(across, dy, 14)) + turn) >> 14;
+    *vy += (times * (y + cairn_mul16(across, dx, 14)) + turn) >> 14;
+}
+
 bool cairn_frame_set(cairn_frame *frame, cairn_unit x, cairn_unit y, cairn_offset length)
 {
     int shift = 17 - cairn_clz((uint32_t)length);

@@ -74,6 +74,7 @@ static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, 
     i.px = i.py = 0;
     i.x = i.y = 0;
     i.adopted = i.changed = false;
+    i.lean = 0;
     i.substep = p->substep;
     mix(&i, world, p);
     weigh(&i, world);

@@ -31,6 +31,7 @@ typedef struct cairn_impact {
     cairn_unit time;         /* in sub-steps from this one's start; may lie a little beyond its end */
     bool adopted;            /* the rows were made within the step, by a look ahead or by the impact itself; those before held: */
     cairn_repeated before;
+    cairn_lean lean;         /* by how much the normal was rounded, where it tells */
     bool changed;            /* its path through the sweeps may be another one */
     int substep;
 } cairn_impact;

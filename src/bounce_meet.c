@@ -183,6 +183,9 @@ static void adopt(cairn_world *world, cairn_impact *i, const course *c, const ca
     }
     uint8_t path = arbiter->path;
     cairn_arbiter_prepare(world, arbiter, contact);
+    if (cairn_body_is_round(i->a) || cairn_body_is_round(i->b)) { /* two polygons stay together more often, and gained nothing */
+        i->lean = cairn_dir_lean(contact->normal_x, contact->normal_y, arbiter->normal_x, arbiter->normal_y);
+    }
     if (i->substep != 0) {
         arbiter->path = path; /* whether its impulses are repeated with the bodies' changes does not alter within a step */
     }

@@ -190,13 +190,49 @@ static void exchange(const cairn_world *world, cairn_impact *i)
     }
 }
 
+/* A vector turned by the small angle. */
+static void turn(cairn_motion *x, cairn_motion *y, cairn_lean angle)
+{
+    cairn_motion was = *x;
+    *x = cairn_motion_add(was, -cairn_motion_lean(*y, angle));
+    *y = cairn_motion_add(*y, cairn_motion_lean(was, angle));
+}
+
+/*
+ * The rounded normal is up to 4e-5 rad off, and so would be the whole impulse: 0.3 mm/s at a blow of 8 m/s. Seen turned by as much, with the velocities, it is the
+ * exact one.
+ */
+static void face_normal(cairn_impact *i)
+{
+    const cairn_arbiter *arbiter = i->arbiter;
+    cairn_motion along = cairn_motion_along(i->b->vy - i->a->vy, i->a->vx - i->b->vx, arbiter->normal_x, arbiter->normal_y);
+    for (int k = 0; k < 2; k++) {
+        if (i->closing[k] > 0) {
+            i->closing[k] = cairn_motion_add(i->closing[k], -cairn_motion_lean(along, i->lean));
+        }
+    }
+    turn(&i->a->vx, &i->a->vy, (cairn_lean)-i->lean);
+    turn(&i->b->vx, &i->b->vy, (cairn_lean)-i->lean);
+}
+
+static void face_back(cairn_impact *i, velocity a, velocity b)
+{
+    turn(&i->px, &i->py, i->lean);
+    i->a->vx = a.x;
+    i->a->vy = a.y;
+    i->b->vx = b.x;
+    i->b->vy = b.y;
+}
+
 /* The impact, and what follows from it. */
 void cairn_impact_rebound(cairn_world *world, cairn_impact *i)
 {
     cairn_arbiter *arbiter = i->arbiter;
     velocity a = velocity_of(i->a), b = velocity_of(i->b);
     i->norm = cairn_factor_square(arbiter->normal_x, arbiter->normal_y);
+    face_normal(i);
     exchange(world, i);
+    face_back(i, a, b);
     sum_up(i->a, a, -i->px, -i->py, arbiter->share_a);
     sum_up(i->b, b, i->px, i->py, cairn_arbiter_share_b(arbiter));
     settle(world, i->a, a, i->time, i->substep);

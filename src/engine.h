@@ -185,6 +185,8 @@ void cairn_body_refresh_extents(cairn_body *body);
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body);
 /* So slow, and moved so little in this step, that the formats cannot tell it from rest. */
 bool cairn_body_is_still(const cairn_world *world, const cairn_body *body);
+/* Beyond all speeds that may come to rest. */
+bool cairn_body_is_under_way(const cairn_world *world, const cairn_body *body);
 /* A velocity into the limits, which no slower one meets, whatever the sub-steps; counts what was cut. */
 #define CAIRN_SURELY_SLOW CAIRN_MOTION(0.25)
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body);

@@ -191,6 +191,11 @@ static inline bool is_still(const cairn_world *world, const cairn_body *body)
         && is_within(body->dx, body->dy, body->dw, 2 * DEAD_SPEED * world->substeps);
 }
 
+bool cairn_body_is_under_way(const cairn_world *world, const cairn_body *body)
+{
+    return !is_within(body->vx, body->vy, body->w, cairn_motion_shifted(world->rest_limit, 2));
+}
+
 bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { return is_still(world, body); }
 
 static void calm(const cairn_world *world, cairn_body *body)
@@ -209,11 +214,31 @@ static void calm(const cairn_world *world, cairn_body *body)
     }
 }
 
+/* Does the contact give way at the limit of friction? */
+static inline bool slips(const cairn_arbiter *arbiter, cairn_motion pressure)
+{
+    return magnitude(arbiter->friction_impulse) >= cairn_motion_factor(pressure, arbiter->kinetic_friction);
+}
+
+/*
+ * A slope's normal is off by its last bit, 3e-5 rad, and nothing takes back what its impulses do along the slope. So what slides or rolls on something
+ * static gets what they lacked in this step, products' roundings with it. What is at rest needs none: friction holds it.
+ */
+CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *arbiter)
+{
+    cairn_body *b = &world->bodies[arbiter->b];
+    cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
+    if ((slips(arbiter, pressure) || cairn_body_is_under_way(world, b)) && !(arbiter->block & CAIRN_BLOCK_NUMBER)
+        && !(b->flags & CAIRN_BODY_FIXED_POSITION)) {
+        cairn_motion_add_lack(&b->vx, &b->vy, pressure, arbiter->friction_impulse, arbiter->normal_x, arbiter->normal_y, (cairn_lean)arbiter->friction_lever_a,
+                              world->substeps, world->stats.steps);
+    }
+}
+
 /* A contact that pushes acted on its bodies. */
 static inline void mark_rest(cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion first, cairn_motion second)
 {
-    bool slips = magnitude(arbiter->friction_impulse) >= cairn_motion_factor(first + second, arbiter->kinetic_friction);
-    unsigned kept = ~(cairn_flag_if(slips, CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
+    unsigned kept = ~(cairn_flag_if(slips(arbiter, first + second), CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
     if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
         a->flags = (uint16_t)((a->flags & kept) | CAIRN_BODY_HELD);
     }
@@ -238,6 +263,9 @@ static void mark_held(cairn_world *world)
         if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
             arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);
             mark_rest(&bodies[arbiter->a], &bodies[arbiter->b], arbiter, first, second);
+            if ((flags & CAIRN_ARBITER_ON_STATIC) && arbiter->friction_lever_a != 0) {
+                straighten_push(world, arbiter);
+            }
         }
     }
     world->stats.points = (uint16_t)points;

@@ -44,19 +44,25 @@ static matrix product(matrix p, matrix q)
 }
 
 /*
- * exp(K) - 1 for K = ((0, w), (-w, -d)) by Taylor's series of K / 2^s and s squarings of 1 + E. In this scaling (the
- * velocity over w) det E is B and small stiffnesses keep their bits.
+ * exp(K) - 1 for K = ((0, w), (-w, -d)) by Taylor's series of K / 2^s and s squarings of 1 + E, s no greater than the series needs: each
+ * halving costs w a bit, and with it the frequency. In this scaling (the velocity over w) det E is B and small stiffnesses keep their bits.
  */
-static matrix oscillator(cairn_share w, cairn_share d_over_16)
+static matrix oscillator(cairn_wide w, cairn_wide d)
 {
-    enum { HALVINGS = 8, TERMS = 5 };
+    enum { HALVINGS_MAX = 8, TERMS = 5 }; /* for d up to 16 */
+    int halvings = 0;
+    cairn_wide most = cairn_wide_mul(cairn_wide_add(w, d), cairn_wide_from_int(16)); /* K / 2^s is to be below a 16th */
     static const cairn_share inverse[TERMS] = { CAIRN_SHARE(1), CAIRN_SHARE(1.0 / 2), CAIRN_SHARE(1.0 / 3), CAIRN_SHARE(1.0 / 4),
                                                 CAIRN_SHARE(1.0 / 5) };
     matrix k, term, sum;
+    while (halvings < HALVINGS_MAX && cairn_wide_less(cairn_wide_from_int(1 << halvings), most)) {
+        halvings++;
+    }
+    cairn_wide scale = cairn_wide_from_int(1 << halvings);
     k.a = 0;
-    k.b = cairn_share_shift(w, HALVINGS);
+    k.b = cairn_wide_to_share(cairn_wide_div(w, scale));
     k.c = -k.b;
-    k.d = -cairn_share_shift(d_over_16, HALVINGS - 4);
+    k.d = -cairn_wide_to_share(cairn_wide_div(d, scale));
     term = k;
     sum = k;
     for (int i = 1; i < TERMS; i++) {
@@ -70,7 +76,7 @@ static matrix oscillator(cairn_share w, cairn_share d_over_16)
         sum.c += term.c;
         sum.d += term.d;
     }
-    for (int i = 0; i < HALVINGS; i++) {
+    for (int i = 0; i < halvings; i++) {
         matrix square = product(sum, sum);
         sum.a = 2 * sum.a + square.a;
         sum.b = 2 * sum.b + square.b;
@@ -91,7 +97,7 @@ static cairn_wide in_substeps(const cairn_spring *spring, const cairn_body *a, c
 
 static void map_exactly(cairn_spring *spring, cairn_wide b, cairn_wide d)
 {
-    matrix e = oscillator(cairn_wide_to_share(cairn_wide_sqrt(b)), cairn_wide_to_share(cairn_wide_div(d, cairn_wide_from_int(16))));
+    matrix e = oscillator(cairn_wide_sqrt(b), d);
     cairn_wide determinant = cairn_wide_determinant(e.a, e.b, e.c, e.d);
     spring->velocity_gain = -(e.a + e.d) - cairn_wide_to_share(determinant);
     spring->position_gain = determinant;

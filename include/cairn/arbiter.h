@@ -31,7 +31,7 @@ typedef struct cairn_arbiter {
     cairn_dir normal_x, normal_y;
     cairn_row rows[2];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
-    cairn_lever friction_lever_a, friction_lever_b;
+    cairn_lever friction_lever_a, friction_lever_b; /* where a is static, and never turns, the first is a cairn_lean: of the normal */
     cairn_ratio friction_mass;
     uint16_t after; /* the slot of the arbiter whose pair was found next, see arbiter.c */
     cairn_factor kinetic_friction;

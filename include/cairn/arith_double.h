@@ -15,6 +15,7 @@ typedef double cairn_offset;
 typedef double cairn_unit;
 typedef double cairn_dir;
 typedef double cairn_heading;
+typedef int16_t cairn_lean; /* none */
 typedef double cairn_lever;
 typedef double cairn_ratio;
 typedef double cairn_share;
@@ -100,6 +101,11 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
 {
     return cairn_clamp(arm * inverse_gyration, CAIRN_LEVER_MAX);
 }
+static inline cairn_lever cairn_lever_in_turn(cairn_offset arm, cairn_wide inverse_gyration, uint32_t step)
+{
+    (void)step;
+    return cairn_lever_of(arm, inverse_gyration);
+}
 static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return cairn_clamp(j + k, CAIRN_LEVER_MAX); }
 
 static inline void cairn_coordinate_move(cairn_real *x, cairn_residue *residue, cairn_motion by)
@@ -162,6 +168,22 @@ static inline cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cair
     return length;
 }
 static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return u; }
+static inline cairn_dir cairn_dir_in_turn(cairn_unit u, uint32_t step)
+{
+    (void)step;
+    return u;
+}
+static inline cairn_lean cairn_dir_lean(cairn_unit x, cairn_unit y, cairn_dir dx, cairn_dir dy)
+{
+    (void)x, (void)y, (void)dx, (void)dy;
+    return 0;
+}
+static inline cairn_motion cairn_motion_lean(cairn_motion x, cairn_lean angle) { return x * angle; }
+static inline void cairn_motion_add_lack(cairn_motion *vx, cairn_motion *vy, cairn_motion push, cairn_motion rub, cairn_dir dx, cairn_dir dy,
+                                         cairn_lean lean, int times, uint32_t step)
+{
+    (void)vx, (void)vy, (void)push, (void)rub, (void)dx, (void)dy, (void)lean, (void)times, (void)step;
+}
 static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return d; }
 static inline cairn_real cairn_real_from_unit(cairn_unit u) { return u; }
 static inline cairn_lever cairn_lever_negate(cairn_lever j) { return -j; }

@@ -29,6 +29,7 @@ typedef int16_t cairn_carry; /* what of a velocity lies below its last bit, Q0.4
 typedef uint16_t cairn_residue; /* what of a coordinate lies below its last bit, Q0.28 in 12 bits */
 typedef uint16_t cairn_extent;  /* half the size of a box, rounded up to 1/256 m */
 typedef uint16_t cairn_spot;    /* a coordinate in steps of 1/256 m, without the multiples of 256 m */
+typedef int16_t cairn_lean;     /* the small angle by which a direction was rounded, rad, Q27 */
 typedef uint32_t cairn_packed;  /* the mantissa in the upper 24 bits, the exponent in the lower 8; zero is 0 */
 
 /* mantissa * 2^exponent; the mantissa's top bit is set, or all is zero. */
@@ -274,6 +275,8 @@ static inline cairn_lever cairn_lever_of(cairn_offset arm, cairn_wide inverse_gy
     scaled = (int32_t)((uint32_t)(arm >> 16) * m + (((uint32_t)arm & 0xFFFFu) * m >> 16));
     return (cairn_lever)cairn_clamp(((scaled >> (shift < 31 ? shift - 1 : 30)) + 1) >> 1, CAIRN_LEVER_MAX);
 }
+/* Exact in the mean over the steps. */
+cairn_lever cairn_lever_in_turn(cairn_offset arm, cairn_wide inverse_gyration, uint32_t step);
 /* The sum of two, cut to the bound that a lever has. */
 static inline cairn_lever cairn_lever_add(cairn_lever j, cairn_lever k) { return (cairn_lever)cairn_clamp(j + k, CAIRN_LEVER_MAX); }
 
@@ -376,6 +379,20 @@ cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b);
    axes; (1, 0) and 0 if both are zero. */
 cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy);
 static inline cairn_dir cairn_dir_from_unit(cairn_unit u) { return (cairn_dir)((u + 32768) >> 16); }
+/*
+ * Exact in the mean over the steps. What is no whole number of units comes out odd: a product with it is then hardly ever a half, and
+ * roundings of opposite products cancel.
+ */
+cairn_dir cairn_dir_in_turn(cairn_unit u, uint32_t step);
+/* The angle from a direction, rounded in either way, to the one that was meant. */
+cairn_lean cairn_dir_lean(cairn_unit x, cairn_unit y, cairn_dir dx, cairn_dir dy);
+static inline cairn_motion cairn_motion_lean(cairn_motion x, cairn_lean angle) { return cairn_mul32(x, angle, 27); }
+/*
+ * What impulses along a rounded direction and across it, given so many times with each product rounded, lack of those along the one
+ * meant is added to a velocity. Exact in the mean over the steps.
+ */
+void cairn_motion_add_lack(cairn_motion *vx, cairn_motion *vy, cairn_motion push, cairn_motion rub, cairn_dir dx, cairn_dir dy, cairn_lean lean,
+                           int times, uint32_t step);
 static inline cairn_unit cairn_unit_from_dir(cairn_dir d) { return (cairn_unit)((uint32_t)(int32_t)d << 16); }
 static inline cairn_real cairn_real_from_unit(cairn_unit u) { return (u + 8192) >> 14; }
 static inline cairn_lever cairn_lever_negate(cairn_lever j) { return (cairn_lever)-j; }
@@ -689,7 +706,7 @@ static inline cairn_factor cairn_factor_spin(cairn_share s, cairn_lever j, cairn
 static inline cairn_factor cairn_factor_from_ratio(cairn_ratio x) { return (int32_t)x << 6; }
 /* Of one below 2 in size. */
 static inline cairn_ratio cairn_ratio_from_factor(cairn_factor f) { return (cairn_ratio)((f + 32) >> 6); }
-/* 1 / f, f > 0, to all bits; saturates */
+/* 1 / f, f > 0, within 0.76 units; saturates */
 static inline cairn_factor cairn_factor_reciprocal(cairn_factor f)
 {
     return cairn_wide_scale(1, cairn_wide_div(cairn_wide_of(1, 0), cairn_wide_of(f, -20)), 20);

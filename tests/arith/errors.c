@@ -3,6 +3,8 @@
  * place: largest, root mean square, and the bound that arith_fixed.h states. `arith_errors exhaustive` takes every
  * value of operations with one argument, `arith_errors random` 10^7 seeded arguments of the others and all pairs of edges;
  * without a word it does both; an operation's name takes that alone. Exits with 1 if a bound does not hold. Two threads.
+ * A second word is how many arguments in random runs, a third one takes only every so manieth where all could be taken, and `json` as a fourth
+ * prints a JSON object a line. With libfixmath at hand its operations are measured beside ours.
  */
 #define _POSIX_C_SOURCE 200112L
 #include "arith_random.h"
@@ -11,11 +13,13 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define PI 3.14159265358979323846264338327950288L
-#define RANDOM_ARGUMENTS 10000000u
 #define THREADS 2
+
+static uint64_t random_arguments = 10000000, stride = 1;
 
 typedef struct tally {
     double largest, squares;
@@ -45,7 +49,7 @@ static double held(long double x)
 static void every_root(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
-    for (uint64_t x = first; x < last; x++) {
+    for (uint64_t x = first; x < last; x += stride) {
         note(&own, (double)cairn_real_sqrt((int32_t)x) - 256.0 * sqrt((double)x), (int32_t)x, 0);
     }
     *t = own;
@@ -74,7 +78,7 @@ static void note_wrong(tally *t, int32_t a) { note(t, HUGE_VAL, a, 0); }
 static void every_rotation(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
-    for (uint64_t x = first; x < last; x++) {
+    for (uint64_t x = first; x < last; x += stride) {
         uint32_t angle = (uint32_t)x - 0x20000000u, high = angle >> 16, low = angle & 0xFFFFu;
         double c = cosine_high[high] * cosine_low[low] - sine_high[high] * sine_low[low];
         double s = sine_high[high] * cosine_low[low] + cosine_high[high] * sine_low[low];
@@ -96,7 +100,7 @@ static void every_rotation(tally *t, uint64_t first, uint64_t last)
 static void every_angle_in_radians(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
-    for (uint64_t x = first; x < last; x++) {
+    for (uint64_t x = first; x < last; x += stride) {
         int32_t angle = (int32_t)(uint32_t)x;
         note(&own, cairn_angle_radians(angle) - angle * (double)(PI / 32768), angle, 0);
     }
@@ -107,7 +111,7 @@ static void every_angle_in_radians(tally *t, uint64_t first, uint64_t last)
 static void every_angle_from_radians(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
-    for (uint64_t x = first; x < last; x++) {
+    for (uint64_t x = first; x < last; x += stride) {
         int32_t radians = (int32_t)(uint32_t)x;
         double part = radians * (double)(32768 / PI - 10430);
         int32_t whole = (int32_t)part;
@@ -118,11 +122,25 @@ static void every_angle_from_radians(tally *t, uint64_t first, uint64_t last)
     *t = own;
 }
 
+/* Sine and cosine as a person writes them: of any number of radians in Q16.16, in Q16.16. */
+static void every_sine_of_radians(tally *t, uint64_t first, uint64_t last)
+{
+    tally own = *t; /* in registers */
+    for (uint64_t x = first; x < last; x += stride) {
+        int32_t radians = (int32_t)(uint32_t)x;
+        cairn_unit c, s;
+        cairn_angle_rotation(cairn_angle_from_radians(radians), &c, &s);
+        note(&own, cairn_real_from_unit(s) - 65536.0 * sin(radians / 65536.0), radians, 0);
+        note(&own, cairn_real_from_unit(c) - 65536.0 * cos(radians / 65536.0), radians, 1);
+    }
+    *t = own;
+}
+
 /* From 256 up, where the inverse is below 64 units, every 16th. */
 static void every_inverse(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
-    for (uint64_t x = first; x < last; x += x < (1 << 28) ? 1 : 16) {
+    for (uint64_t x = first; x < last; x += x < (1 << 28) ? stride : 16 * stride) {
         double exact = 17179869184.0 / (double)(x + 1); /* 2^14 * 2^20 / f */
         note(&own, cairn_factor_inverse((int32_t)(x + 1)) - (exact > 32767 ? 32767 : exact), (int32_t)(x + 1), 0);
     }
@@ -133,11 +151,11 @@ static void every_clz(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
     int bits = 0;
-    for (uint64_t x = first; x < last; x++) {
+    for (uint64_t x = first; x < last; x += stride) {
         while (x >> bits != 0) { bits++; }
         if (cairn_clz((uint32_t)x) != 32 - bits) { note_wrong(&own, (int32_t)(uint32_t)x); }
     }
-    own.count += last - first;
+    own.count += (last - first + stride - 1) / stride;
     *t = own;
 }
 
@@ -211,6 +229,21 @@ static void angle_of(tally *t, const arguments *x)
     note(t, remainder(off, 4294967296.0), x->a, x->b);
 }
 
+/* Radians in Q16.16; at the turn's end both signs are right. */
+static void angle_in_radians(tally *t, const arguments *x)
+{
+    double off;
+    if (x->a == 0 && x->b == 0) { return; }
+    off = (double)(cairn_angle_radians(cairn_angle_of(x->a, x->b)) - atan2l(x->a, x->b) * 65536);
+    note(t, remainder(off, (double)(131072 * PI)), x->a, x->b);
+}
+
+static void factor_reciprocal(tally *t, const arguments *x)
+{
+    int32_t f = x->a < 0 ? -x->a : x->a;
+    if (f > 0) { note(t, cairn_factor_reciprocal(f) - held(1099511627776.0L / f), f, 0); }
+}
+
 static void angle_from_motion(tally *t, const arguments *x)
 {
     long double exact = x->a * value(x->k) * (8 / PI);
@@ -261,6 +294,17 @@ static void unit_along(tally *t, const arguments *x)
     }
 }
 
+/* Of a vector of 1 mm or more: both components' error together, over 1. */
+static void normalised(tally *t, const arguments *x)
+{
+    long double size = length(x->a, x->b);
+    cairn_unit ux, uy;
+    if (size >= 4194) {
+        cairn_unit_along(x->a, x->b, &ux, &uy);
+        note(t, (double)hypotl(ux / 1073741824.0L - x->a / size, uy / 1073741824.0L - x->b / size), x->a, x->b);
+    }
+}
+
 static void unit_along_length(tally *t, const arguments *x)
 {
     cairn_unit ux, uy;
@@ -284,6 +328,49 @@ static void offset_from_motion(tally *t, const arguments *x)
     note(t, cairn_offset_from_motion(x->a) - x->a / 64.0, x->a, 0);
 }
 
+#ifdef CAIRN_LIBFIXMATH
+/* ---- libfixmath: its functions of the same purpose. What it saturates or calls an overflow is not counted against it. ---- */
+#include <libfixmath/fixmath.h>
+
+#define THINNED 61 /* of 2^31 or 2^32 arguments, for some of these take long */
+
+static void every_fix16_sqrt(tally *t, uint64_t first, uint64_t last)
+{
+    for (uint64_t x = first; x < last; x += THINNED * stride) {
+        note(t, (double)fix16_sqrt((int32_t)x) - 256.0 * sqrt((double)x), (int32_t)x, 0);
+    }
+}
+
+static void every_fix16_sine(tally *t, uint64_t first, uint64_t last)
+{
+    for (uint64_t x = first; x < last; x += THINNED * stride) {
+        int32_t radians = (int32_t)(uint32_t)x;
+        note(t, fix16_sin(radians) - 65536.0 * sin(radians / 65536.0), radians, 0);
+        note(t, fix16_cos(radians) - 65536.0 * cos(radians / 65536.0), radians, 1);
+    }
+}
+
+static bool is_within_range(long double x) { return x <= INT32_MAX && x >= -INT32_MAX; }
+
+static void fixmath_mul(tally *t, const arguments *x)
+{
+    long double exact = (long double)x->a * x->b / 65536;
+    if (is_within_range(exact)) { note(t, (double)(fix16_mul(x->a, x->b) - exact), x->a, x->b); }
+}
+
+static void fixmath_div(tally *t, const arguments *x)
+{
+    long double exact = x->b == 0 ? HUGE_VALL : (long double)x->a * 65536 / x->b;
+    if (is_within_range(exact)) { note(t, (double)(fix16_div(x->a, x->b) - exact), x->a, x->b); }
+}
+
+static void fixmath_atan2(tally *t, const arguments *x)
+{
+    if (x->a == 0 && x->b == 0) { return; }
+    note(t, remainder((double)(fix16_atan2(x->a, x->b) - atan2l(x->a, x->b) * 65536), (double)(131072 * PI)), x->a, x->b);
+}
+#endif
+
 /* ---- the table ---- */
 
 typedef struct operation {
@@ -303,6 +390,7 @@ static const operation operations[] = {
     { "angle_rotation", "2^-30", 2.7, every_rotation, QUARTER, NULL },
     { "angle_radians", "2^-16", 0.501, every_angle_in_radians, WORDS, NULL },
     { "angle_from_radians", "turn/2^32", 0.52, every_angle_from_radians, WORDS, NULL },
+    { "sine and cosine of radians", "2^-16", 0.51, every_sine_of_radians, WORDS, NULL },
     { "factor_inverse", "2^-14", 0.9, every_inverse, POSITIVE - 1, NULL },
     { "clz", "1", 0, every_clz, WORDS, NULL },
     { "mul16 >> 14", "1", 0.5, NULL, 0, mul16 },
@@ -314,6 +402,8 @@ static const operation operations[] = {
     { "real_length", "2^-16", 0.5, NULL, 0, real_length },
     { "real_geometric_mean", "2^-16", 0.5, NULL, 0, geometric_mean },
     { "angle_of", "turn/2^32", 1.1, NULL, 0, angle_of },
+    { "angle_of, in radians", "2^-16", 0.51, NULL, 0, angle_in_radians },
+    { "factor_reciprocal", "2^-20", 0.76, NULL, 0, factor_reciprocal },
     { "angle_from_motion", "turn/2^32", 2.5, NULL, 0, angle_from_motion },
     { "wide_mul", "2^-31 of it", 0.501, NULL, 0, wide_mul },
     { "wide_div", "2^-31 of it", 0.501, NULL, 0, wide_div },
@@ -324,10 +414,18 @@ static const operation operations[] = {
     { "diffused_of", "2^-60 m", 0.5, NULL, 0, diffused },
     { "offset_fraction", "2^-30", 2, NULL, 0, offset_fraction },
     { "unit_along", "2^-30", 2, NULL, 0, unit_along },
+    { "unit_along from 1 mm up", "1", 3e-9, NULL, 0, normalised },
     { "unit_along's length", "2^-22 m", 0.8, NULL, 0, unit_along_length },
     { "factor_spin", "2^-20", 0.55, NULL, 0, factor_spin },
     { "motion_factor", "2^-28 m", 0.5, NULL, 0, motion_factor },
     { "offset_from_motion", "2^-22 m", 0.5, NULL, 0, offset_from_motion },
+#ifdef CAIRN_LIBFIXMATH
+    { "fix16_mul", "2^-16", HUGE_VAL, NULL, 0, fixmath_mul },
+    { "fix16_div", "2^-16", HUGE_VAL, NULL, 0, fixmath_div },
+    { "fix16_sqrt", "2^-16", HUGE_VAL, every_fix16_sqrt, POSITIVE, NULL },
+    { "fix16_sin and fix16_cos", "2^-16", HUGE_VAL, every_fix16_sine, WORDS, NULL },
+    { "fix16_atan2", "2^-16", HUGE_VAL, NULL, 0, fixmath_atan2 },
+#endif
 };
 
 typedef struct job {
@@ -345,10 +443,10 @@ static void run_random(job *j)
 {
     arith_random random = arith_random_seeded(100 + j->index);
     uint32_t edges = j->index == 0 ? ARITH_EDGES * ARITH_EDGES : 0;
-    for (uint32_t i = 0; i < RANDOM_ARGUMENTS / THREADS + edges; i++) {
+    for (uint64_t i = 0; i < random_arguments / THREADS + edges; i++) {
         arguments x;
-        x.a = i < edges ? arith_edge(i % ARITH_EDGES) : arith_random_argument(&random);
-        x.b = i < edges ? arith_edge(i / ARITH_EDGES) : arith_random_argument(&random);
+        x.a = i < edges ? arith_edge((uint32_t)i % ARITH_EDGES) : arith_random_argument(&random);
+        x.b = i < edges ? arith_edge((uint32_t)i / ARITH_EDGES) : arith_random_argument(&random);
         x.c = arith_random_argument(&random);
         x.d = arith_random_argument(&random);
         x.k = some_wide(&random);
@@ -368,8 +466,23 @@ static void *run(void *argument)
     return NULL;
 }
 
+static void print(const operation *what, const tally *all, bool right, bool as_json)
+{
+    double rms = sqrt(all->squares / (double)all->count);
+    if (as_json) { /* no bound is stated of what is not ours */
+        printf("{\"operation\": \"%s\", \"unit\": \"%s\", \"every_argument\": %s, \"results\": %llu, \"largest\": %.6g, \"rms\": %.6g, ", what->name,
+               what->unit, what->every != NULL ? "true" : "false", (unsigned long long)all->count, all->largest, rms);
+        printf(what->bound < HUGE_VAL ? "\"bound\": %g, " : "\"bound\": null, ", what->bound);
+        printf("\"worst\": [%d, %d]}\n", all->worst_a, all->worst_b);
+    } else {
+        printf("%-26s %-12s %11.4g %9.4g %9.4g %9.4g  %s(%d, %d)\n", what->name, what->unit, (double)all->count, all->largest, rms, what->bound,
+               right ? "" : "TOO LARGE ", all->worst_a, all->worst_b);
+    }
+    fflush(stdout);
+}
+
 /* Prints a line of the table; false if the bound does not hold. */
-static bool measure(const operation *what)
+static bool measure(const operation *what, bool as_json)
 {
     pthread_t threads[THREADS];
     job jobs[THREADS];
@@ -395,28 +508,36 @@ static bool measure(const operation *what)
         }
     }
     right = all.count > 0 && all.largest <= what->bound;
-    printf("%-20s %-12s %11.4g %9.4f %9.4f %9.4g  %s(%d, %d)\n", what->name, what->unit, (double)all.count, all.largest,
-           sqrt(all.squares / (double)all.count), what->bound, right ? "" : "TOO LARGE ", all.worst_a, all.worst_b);
-    fflush(stdout);
+    print(what, &all, right, as_json);
     return right;
+}
+
+static bool is_number(const char *word, uint64_t *number)
+{
+    char *end;
+    *number = strtoull(word, &end, 10);
+    return *number > 0 && *end == '\0';
 }
 
 int main(int count, char **words)
 {
     const char *set = count > 1 ? words[1] : "all";
-    bool all = strcmp(set, "all") == 0, right = true;
+    bool all = strcmp(set, "all") == 0, right = true, as_json = count > 4 && strcmp(words[4], "json") == 0;
+    bool known = count <= (as_json ? 5 : 4) && (count <= 2 || is_number(words[2], &random_arguments)) && (count <= 3 || is_number(words[3], &stride));
     uint32_t measured = 0;
     prepare_rotation();
-    printf("%-20s %-12s %11s %9s %9s %9s  %s\n", "operation", "unit", "results", "largest", "RMS", "bound", "worst at");
-    for (uint32_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
+    if (!as_json) {
+        printf("%-26s %-12s %11s %9s %9s %9s  %s\n", "operation", "unit", "results", "largest", "RMS", "bound", "worst at");
+    }
+    for (uint32_t i = 0; known && i < sizeof operations / sizeof operations[0]; i++) {
         const char *kind = operations[i].every != NULL ? "exhaustive" : "random";
         if (all || strcmp(set, kind) == 0 || strcmp(set, operations[i].name) == 0) {
-            right = measure(&operations[i]) && right;
+            right = measure(&operations[i], as_json) && right;
             measured++;
         }
     }
     if (measured == 0) {
-        fprintf(stderr, "usage: arith_errors [all|exhaustive|random|OPERATION]\n");
+        fprintf(stderr, "usage: arith_errors [all|exhaustive|random|OPERATION [RANDOM_ARGUMENTS [STRIDE [json]]]]\n");
         return 2;
     }
     return right ? 0 : 1;

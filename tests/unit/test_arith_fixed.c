@@ -659,6 +659,95 @@ void test_lever_is_near_and_held_to_its_bound(void)
     }
 }
 
+/* ---- what is rounded in turn, step by step ---- */
+
+void test_a_lever_in_turn_is_exact_in_the_mean(void)
+{
+    cairn_wide k = cairn_wide_sqrt(cairn_wide_from_int(8)); /* of a disc of 0.5 m: the lever is sqrt(2), 11585.2375 units */
+    int32_t sum = 0;
+    for (uint32_t step = 0; step < 10000; step++) {
+        cairn_lever j = cairn_lever_in_turn(CAIRN_OFFSET(0.5), k, step);
+        TEST_ASSERT_INT_WITHIN(1, 11585, j);
+        sum += j;
+    }
+    TEST_ASSERT_INT_WITHIN(5, 115852375, sum);
+}
+
+void test_a_lever_in_turn_keeps_its_bound(void)
+{
+    for (uint32_t step = 0; step < 100; step++) {
+        TEST_ASSERT_EQUAL_INT(CAIRN_LEVER_MAX, cairn_lever_in_turn(CAIRN_OFFSET(500), cairn_wide_from_int(2), step));
+        TEST_ASSERT_EQUAL_INT(-CAIRN_LEVER_MAX, cairn_lever_in_turn(INT32_MIN, cairn_wide_of(1, 40), step));
+        TEST_ASSERT_EQUAL_INT(0, cairn_lever_in_turn(0, cairn_wide_from_int(2), step));
+    }
+}
+
+void test_a_direction_in_turn_is_odd_and_exact_in_the_mean(void)
+{
+    for (int i = 0; i < 100; i++) {
+        cairn_unit u = any() / 2;
+        int64_t sum = 0;
+        for (uint32_t step = 0; step < 1024; step++) {
+            cairn_dir d = cairn_dir_in_turn(u, step);
+            sum += (int64_t)d * 65536 - u;
+            TEST_ASSERT_TRUE((u & 65535) == 0 || (d & 1));
+        }
+        expect_within(65536 * 16, 0, sum, u, 0);
+    }
+}
+
+void test_a_direction_of_whole_units_stays_itself(void)
+{
+    for (uint32_t step = 0; step < 100; step++) {
+        TEST_ASSERT_EQUAL_INT(0, cairn_dir_in_turn(0, step));
+        TEST_ASSERT_EQUAL_INT(16384, cairn_dir_in_turn(CAIRN_UNIT(1), step));
+        TEST_ASSERT_EQUAL_INT(-16384, cairn_dir_in_turn(-CAIRN_UNIT(1), step));
+        TEST_ASSERT_EQUAL_INT(8192, cairn_dir_in_turn(CAIRN_UNIT(0.5), step));
+    }
+}
+
+/* The lean turns a direction back to the one that was meant; both were rounded in any way. */
+void test_a_lean_is_the_angle_that_rounding_made(void)
+{
+    for (uint32_t step = 0; step < 5000; step++) {
+        cairn_unit x, y;
+        cairn_angle_rotation(any(), &x, &y);
+        cairn_dir dx = cairn_dir_in_turn(x, step), dy = step % 2 ? cairn_dir_from_unit(y) : cairn_dir_in_turn(y, step);
+        /* the sine of the angle in Q44, and in Q27 */
+        int64_t sine = (int64_t)y * dx - (int64_t)x * dy;
+        expect_within(2, sine / 131072, cairn_dir_lean(x, y, dx, dy), x, y);
+    }
+    TEST_ASSERT_EQUAL_INT(0, cairn_dir_lean(CAIRN_UNIT(1), 0, 16384, 0));
+}
+
+void test_pushes_along_a_rounded_direction_and_what_they_lack_are_those_along_the_exact_one(void)
+{
+    enum { TIMES = 4, STEPS = 1000 };
+    for (int i = 0; i < 100; i++) {
+        cairn_unit x, y;
+        cairn_motion push = 30000 + (any() >> 16), rub = any() >> 18, vx = 0, vy = 0;
+        cairn_angle_rotation(any(), &x, &y);
+        cairn_dir dx = cairn_dir_from_unit(x), dy = cairn_dir_from_unit(y);
+        cairn_lean lean = cairn_dir_lean(x, y, dx, dy);
+        for (uint32_t step = 0; step < STEPS; step++) {
+            vx += TIMES * cairn_motion_along(push, -rub, dx, dy);
+            vy += TIMES * cairn_motion_along(rub, push, dx, dy);
+            cairn_motion_add_lack(&vx, &vy, push, rub, dx, dy, lean, TIMES, step);
+        }
+        /* Across the push, within 4e-5 of the rub, by which a rounded direction may be longer than 1; a contact takes that back. */
+        int64_t across = ((int64_t)vy * x - (int64_t)vx * y) / CAIRN_UNIT(1);
+        expect_within(TIMES * 400, (int64_t)rub * TIMES * STEPS, across, push, rub);
+    }
+}
+
+void test_what_a_great_push_lacks_is_cut_and_does_not_wrap(void)
+{
+    cairn_motion vx = 0, vy = 0;
+    cairn_motion_add_lack(&vx, &vy, CAIRN_MOTION(4.98), 0, 11585, 11585, 17378, 16, 0);
+    TEST_ASSERT_INT_WITHIN(65536, -46341, vx);
+    TEST_ASSERT_TRUE(vx < 0 && vy > 0);
+}
+
 /* ---- what is carried from call to call ---- */
 
 void test_gravity_adds_up_over_a_second(void)
