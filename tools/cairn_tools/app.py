@@ -30,6 +30,7 @@ from . import peers as peers_module
 from . import profile as profile_module
 from .accuracy import command as accuracy_module
 from .errors import UserError
+from .oracle import command as oracle_module
 from .report.verb import report
 from .stability import command as stability_module
 from .stability import report as stability_report
@@ -58,6 +59,7 @@ app = typer.Typer(
 )
 
 Arithmetic = Enum("Arithmetic", {name: name for name in engine.ARITHMETICS}, type=str)
+RunEngine = Enum("RunEngine", {name: name for name in (*engine.ARITHMETICS, "oracle")}, type=str)
 Target = Enum("Target", {name: name for name in engine.TARGETS}, type=str)
 GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGETS}, type=str)
 
@@ -111,7 +113,9 @@ def _spread(arguments: list[str], several: set[str]) -> list[str]:
 @app.command()
 def run(
     scene_file: SceneArgument,
-    arithmetic: Annotated[Arithmetic, typer.Option("--engine", help="Fixed point, or the same in double.")] = "q16",
+    arithmetic: Annotated[
+        RunEngine, typer.Option("--engine", help="Fixed point, the same in double, or the oracle.")
+    ] = "q16",
     on: Annotated[Target, typer.Option(help="The host, or a core in QEMU.")] = "host",
     steps: Annotated[int, typer.Option(min=0, max=1_000_000)] = 600,
     every: Annotated[int, typer.Option(min=1, help="Record each so many steps.")] = 1,
@@ -127,13 +131,19 @@ def run(
 ) -> None:
     """Simulate a scene, on the host or on an emulated core."""
     loaded = load_scene(scene_file, solver, substeps, passes)
-    if arithmetic.value == "f64" and on.value != "host":
-        raise UserError("--engine f64 runs on the host only")
+    by_oracle = arithmetic.value == "oracle"
+    if arithmetic.value != "q16" and on.value != "host":
+        raise UserError(f"--engine {arithmetic.value} runs on the host only")
+    if by_oracle and (hash_only or solver or substeps or passes):
+        raise UserError("--engine oracle has no --hash, --solver, --substeps or --passes")
     if csv == "-" and (hash_only or as_json):
         raise UserError("--csv - prints nothing else: leave out --hash and --json")
     only_hash = hash_only and not (csv or svg or png or gif or as_json)
     with working(f"{loaded.name} on {on.value}"):
-        got = engine.run(loaded, arithmetic.value, on.value, steps, 0 if only_hash else every)
+        if by_oracle:
+            got = oracle_module.as_run(loaded, steps, every)
+        else:
+            got = engine.run(loaded, arithmetic.value, on.value, steps, 0 if only_hash else every)
     poses = got.trajectory.poses
     if csv == "-":
         _print_csv(got.trajectory)
@@ -404,6 +414,7 @@ def stability(
 
 
 app.command()(accuracy_module.accuracy)
+app.command()(oracle_module.oracle)
 
 
 @app.command()

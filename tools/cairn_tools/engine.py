@@ -70,7 +70,7 @@ class Run:
     steps: int
     trajectory: Trajectory
     hash: str = ""
-    statistics: dict[str, int] = field(default_factory=dict)
+    statistics: dict[str, int | float | str] = field(default_factory=dict)
     costs: list[int] = field(default_factory=list)  # a step: instructions in QEMU, cycles in rp2040js
     stack: int = 0  # bytes, the most used in the steps
     stack_before: int = 0  # of which the runner's own, where it calls the step

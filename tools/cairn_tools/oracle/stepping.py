@@ -23,7 +23,7 @@ ENTERED = 2e-9  # m of overlap that is an impact, if it came about faster than
 SLOW = 1e-3  # m/s
 APART = 1e-9  # m of overlap that is moved apart at the end of a step
 FAST = 1e6  # m/s: faster than anything
-MOST_CUTS = 20
+MOST_CUTS = 6
 # Of a step that contacts' impulses move bodies by: their mean speed's where methods are of second order.
 SHARES = {MIDPOINT: 0.5, ADAMS_BASHFORTH: 0.0}
 HOLD = 1e-10  # m of gap or overlap that a contact may keep; of what is beyond it a step takes back
@@ -79,11 +79,11 @@ def remember(memory, rows, h, impulse_n, impulse_t, slid):
 
 
 @njit(cache=True)
-def targets_of_step(rows, normal, friction, velocities, pressed, h):
+def targets_of_step(rows, normal, friction, velocities, pressed, h, whole):
     """What a step's rows may be at its end, (normal, friction), from the rows at its start and in its middle.
 
     A closed contact's target leaves HOLD of gap alone: over a step 1e-11 m are 1e-7 m/s, on which the points of a pile
-    do not agree.
+    do not agree. What is beyond it is taken back in `whole` steps, however short this one is cut.
     """
     points, pairs = len(rows.gap), len(rows.x)
     bn, bt = np.empty(points), np.empty(pairs)
@@ -93,9 +93,9 @@ def targets_of_step(rows, normal, friction, velocities, pressed, h):
         bt[c] = along(rows.friction[c], x, y, velocities) - along(friction[c], x, y, velocities)
         for r in range(rows.first[c], rows.first[c + 1]):
             gap = rows.gap[r]
-            share = 1.0 if gap > CLOSED and pressed[r] == 0 else PULL
+            rate = 1.0 / h if gap > CLOSED and pressed[r] == 0 else PULL / whole
             beyond = max(gap - HOLD, 0.0) + min(gap + HOLD, 0.0)
-            bn[r] = along(rows.normal[r], x, y, velocities) - along(normal[r], x, y, velocities) - share * beyond / h
+            bn[r] = along(rows.normal[r], x, y, velocities) - along(normal[r], x, y, velocities) - rate * beyond
     return bn, bt
 
 
@@ -126,14 +126,14 @@ def let_bounce(world, rows, velocities, bn):
             bn[r] = -FAST
 
 
-def advance(world, memory, poses, velocities, h, method, spring_steps, margin, log):
-    """One step without looking for impacts: (poses, velocities) at its end. Contacts are those within the margin."""
+def advance(world, memory, poses, velocities, h, whole, method, spring_steps, margin, log):
+    """A part of a step without looking for impacts: (poses, velocities) at its end. Contacts are within the margin."""
     rows = find_rows(world, memory, poses, margin)
     exact = method == MIDPOINT
     by_end = method in (SYMPLECTIC, AS_ENGINE)
     if (exact or (by_end and world.restitution.any())) and fastest_closing(rows, velocities) > SLOW:
         # By chance a step has ended just before an impact.
-        velocities = strike(world, memory, poses, velocities, rest_speed(world, h), log)
+        velocities = strike(world, memory, poses, velocities, rest_speed(world, whole), log)
     free_q, free_v = move_freely(world, memory, poses, velocities, h, method, spring_steps)
     impulse_n, impulse_t, slid = nothing(rows)
     if len(rows.x) == 0:
@@ -141,7 +141,7 @@ def advance(world, memory, poses, velocities, h, method, spring_steps, margin, l
         return free_q, free_v
     recall(memory, rows, h, impulse_n, impulse_t, slid)
     turned = (rows.normal, rows.friction) if by_end else follow(world, rows, poses + velocities * (h / 2))
-    bn, bt = targets_of_step(rows, *turned, velocities, impulse_n, h)
+    bn, bt = targets_of_step(rows, *turned, velocities, impulse_n, h, whole)
     if by_end:
         let_bounce(world, rows, free_v, bn)
     rows.normal[:], rows.friction[:] = turned
@@ -264,7 +264,7 @@ def step(world, memory, poses, velocities, h, method, spring_steps, log):
         if last or not exact:
             margin = largest_closing(velocities, world.reach) * left + 100 * left * left
         inner = max(1, int(np.ceil(spring_steps * left / h)))
-        q, v = advance(world, memory, poses, velocities, left, method, inner, margin, log)
+        q, v = advance(world, memory, poses, velocities, left, h, method, inner, margin, log)
         done = left
         if not last:
             part = first_impact(world, memory, poses, velocities, q, v, left, not exact)
@@ -272,7 +272,7 @@ def step(world, memory, poses, velocities, h, method, spring_steps, log):
                 done = left * part
                 if done > 1e-9 * h:
                     inner = max(1, int(np.ceil(spring_steps * done / h)))
-                    q, v = advance(world, memory, poses, velocities, done, method, inner, CLOSED, log)
+                    q, v = advance(world, memory, poses, velocities, done, h, method, inner, CLOSED, log)
                 else:
                     q, v = poses.copy(), velocities.copy()
                 v = strike(world, memory, q, v, rest_speed(world, h), log)
