@@ -11,6 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
 from .error_time import MEASURES, RATES, front, value
 from .rows import Row
@@ -59,6 +60,9 @@ def _label(measure: str, row: Row) -> str:
 def _points(axes: Axes, group: list[Row], measure: str) -> None:
     axes.set(xscale="log", yscale="log")
     axes.margins(x=0.1)
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.xaxis.set_major_formatter(EngFormatter(sep=""))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     known = [row for row in group if math.isfinite(value(row, measure))]
     own = [row for row in known if row.settings.engine == "cairn"]
     for row in own:
