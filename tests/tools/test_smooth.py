@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 import pytest
-
 from cairn_tools.accuracy import smooth
 from cairn_tools.accuracy.smooth_scenes import DEEP, FAMILIES, rounded, rounded_angle
 from cairn_tools.oracle import closed_forms

@@ -1,8 +1,8 @@
 """Smooth scenes without number: each family's scenes differ in size, speed, slope, mass, material, place and angle.
 
 What no format of the API can say would count as rounding, so all numbers are multiples of its last bit, 2^-16, and
-angles of theirs, a turn / 2^32. A body on a slope starts at such a place 0.7 to 1.7 um deep in it: whether one that only
-just touches does so in the first step, and with which of its corners, is decided by a last bit.
+angles of theirs, a turn / 2^32. A body on a slope starts at such a place 0.7 to 1.7 um deep in it: whether one that
+only just touches does so in the first step, and with which of its corners, is decided by a last bit.
 """
 
 from __future__ import annotations
@@ -160,7 +160,7 @@ def bounce(random: Random) -> tuple[Scene, float]:
 
 
 def impact(random: Random) -> tuple[Scene, float]:
-    """Two discs, or boxes, head on or not; the second after. They part: what stays together would hit again and again."""
+    """Two discs, or boxes, head on or not; the second after. They part: what stays together would hit again."""
     size = (uniform(random, 0.1, 1), uniform(random, 0.1, 1))
     speed, gap = (uniform(random, 0.5, 5), uniform(random, -5, -0.5)), uniform(random, 0.2, 1)
     e = uniform(random, 0.1, 1)
