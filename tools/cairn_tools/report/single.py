@@ -61,7 +61,7 @@ SINGLES = {
     "integrators": Single(
         integrators, "Two ways to integrate", _of_integrators,
         "Why the engine stays with symplectic Euler: it keeps the energy of what swings within bounds for ever, and "
-        "that is what a game sees.", 3,
+        "that is what a game sees.", 3, {"rates": (60, 240, 960)},
     ),
 }  # fmt: skip
 
