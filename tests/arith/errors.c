@@ -55,7 +55,8 @@ static void every_root(tally *t, uint64_t first, uint64_t last)
     *t = own;
 }
 
-static double cosine_high[65536], sine_high[65536], cosine_low[65536], sine_low[65536];
+static double cosine_high[65536], sine_high[65536], cosine_low[65536], sine_low[65536]; /* of 2^-16 and 2^-32 turns */
+static double cosine_whole[65536], sine_whole[65536], cosine_part[65536], sine_part[65536]; /* of whole radians and 2^-16 of one */
 
 static void prepare_rotation(void)
 {
@@ -65,6 +66,10 @@ static void prepare_rotation(void)
         sine_high[i] = (double)sinl(high);
         cosine_low[i] = (double)cosl(low);
         sine_low[i] = (double)sinl(low);
+        cosine_whole[i] = (double)cosl((int16_t)i);
+        sine_whole[i] = (double)sinl((int16_t)i);
+        cosine_part[i] = (double)cosl(i / 65536.0L);
+        sine_part[i] = (double)sinl(i / 65536.0L);
     }
 }
 
@@ -122,16 +127,17 @@ static void every_angle_from_radians(tally *t, uint64_t first, uint64_t last)
     *t = own;
 }
 
-/* Sine and cosine as a person writes them: of any number of radians in Q16.16, in Q16.16. */
+/* Sine and cosine as a person writes them: of any number of radians in Q16.16, in Q16.16. The reference as above. */
 static void every_sine_of_radians(tally *t, uint64_t first, uint64_t last)
 {
     tally own = *t; /* in registers */
     for (uint64_t x = first; x < last; x += stride) {
         int32_t radians = (int32_t)(uint32_t)x;
+        uint32_t whole = (uint32_t)x >> 16, part = (uint32_t)x & 0xFFFFu;
         cairn_unit c, s;
         cairn_angle_rotation(cairn_angle_from_radians(radians), &c, &s);
-        note(&own, cairn_real_from_unit(s) - 65536.0 * sin(radians / 65536.0), radians, 0);
-        note(&own, cairn_real_from_unit(c) - 65536.0 * cos(radians / 65536.0), radians, 1);
+        note(&own, cairn_real_from_unit(s) - 65536.0 * (sine_whole[whole] * cosine_part[part] + cosine_whole[whole] * sine_part[part]), radians, 0);
+        note(&own, cairn_real_from_unit(c) - 65536.0 * (cosine_whole[whole] * cosine_part[part] - sine_whole[whole] * sine_part[part]), radians, 1);
     }
     *t = own;
 }

@@ -34,6 +34,7 @@ PEERS_AS_RUN = (
 
 def accuracy(
     arithmetic: Annotated[bool, typer.Option("--arithmetic", help="Only the primitives, in LSB.")] = False,
+    exhaustive: Annotated[bool, typer.Option(help="With --arithmetic: all arguments anew, in minutes; kept.")] = False,
     smooth: Annotated[bool, typer.Option("--smooth", help="Only the smooth scenes, in metres.")] = False,
     integrators: Annotated[bool, typer.Option("--integrators", help="Only the two ways to integrate.")] = False,
     scene_name: Annotated[list[str] | None, typer.Option("--scene", help="Names or files.")] = None,
@@ -46,10 +47,12 @@ def accuracy(
     """How wrong it is at what cost: error against run time; or the arithmetic in LSB, or smooth scenes in metres."""
     chosen = [part for part, wished in zip(PARTS, (arithmetic, smooth, integrators), strict=True) if wished]
     show = print_markdown if markdown else out.print
+    if exhaustive and not arithmetic:
+        raise UserError("--exhaustive goes with --arithmetic")
     if chosen:
         if len(chosen) > 1 or scene_name or core or peers or (plot and not integrators):
             raise UserError("--arithmetic, --smooth and --integrators are alone, with --markdown or --json")
-        rows = _print_part(chosen[0], as_json, show)
+        rows = _print_part(chosen[0], exhaustive, as_json, show)
         if plot:
             integrators_module.plot(rows, folder(plot) / "integrators.png")
         return
@@ -74,9 +77,9 @@ def accuracy(
         print(f"- {line}")
 
 
-def _print_part(part: ModuleType, as_json: bool, show: Callable[[Table], None]) -> list[Any]:
+def _print_part(part: ModuleType, anew: bool, as_json: bool, show: Callable[[Table], None]) -> list[Any]:
     with working(f"accuracy: {part.__name__.rpartition('.')[2]}") as say:
-        rows = part.measure(say)
+        rows = part.measure_anew(say) if anew else part.measure(say)
     if as_json:
         print(json.dumps([tables_module.finite(asdict(row)) for row in rows], indent=2))
         return rows
