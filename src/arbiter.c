@@ -184,6 +184,7 @@ static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, ca
         }
     }
     world->arbiter_count = kept;
+    world->rearranged = true;
 }
 
 static bool is_current(const cairn_world *world, cairn_arbiter *arbiter, uint16_t body)
@@ -197,7 +198,7 @@ static bool is_current(const cairn_world *world, cairn_arbiter *arbiter, uint16_
     }
     unsigned touched = cairn_flag_if((arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED); /* and still does */
     arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)(CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_TOUCHED)) | touched);
-    cairn_arbiter_doubt(arbiter);
+    arbiter->path = CAIRN_PATH_NONE;
     return true;
 }
 

@@ -89,7 +89,9 @@ static void take_note(cairn_world *world, const cairn_impact *i)
     cairn_arbiter *arbiter = i->arbiter;
     world->in_flight = world->in_flight || is_in_flight(arbiter);
     if (i->changed) {
-        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
+        unsigned before = arbiter->path;
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, before & CAIRN_PATH_FRESH);
+        cairn_arbiter_take_turn(world, before, arbiter->path);
         world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
     }
 }

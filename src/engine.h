@@ -65,22 +65,24 @@ enum {
 #define CAIRN_UNEVEN 30
 #define CAIRN_UNEVEN_SHARE CAIRN_SHARE(1.0 / 31) /* the heavy one's share then */
 
-/* arbiter.path: which way its sweeps take, see sweep.c. Between two steps it is the next one's. */
+/* arbiter.path: which way its sweeps take, in this order, see sweep.c. Between two steps it is the next one's. */
 enum {
-    CAIRN_PATH_NONE,      /* none; between two steps: its rows are to be made anew */
+    CAIRN_PATH_NONE,      /* none; between two steps: there are no rows */
     CAIRN_PATH_CAREFUL,   /* anything */
     CAIRN_PATH_SLIDING,   /* anything, and levers follow the motion: see slide.c */
     CAIRN_PATH_ON_STATIC, /* two points, none of them apart, and all of a change is b's */
-    CAIRN_PATH_EVEN,      /* the same of bodies of one mass, each takes half */
+    CAIRN_PATH_CENTRAL,   /* one point, apart or not, on the line through both centres: circles */
+    CAIRN_PATH_SINGLE,    /* one point, and any bodies */
     CAIRN_PATH_SHARED,    /* two points, and any bodies; points may be apart */
-    CAIRN_PATH_SINGLE,    /* the same of one point */
-    CAIRN_PATH_CENTRAL,   /* the same of one point on the line through both centres: circles */
-    CAIRN_PATH_EVEN_CENTRAL, /* the same of balls of one size and mass, whose spins change alike */
-    CAIRN_PATH_IDLE,      /* none in this step, in which it does nothing: see idle.c */
+    CAIRN_PATH_EVEN,      /* two points, none of them apart, of bodies of one mass, each takes half */
+    CAIRN_PATH_TURN = 7,  /* these follow one another in this order. With the turns of others come: */
+    CAIRN_PATH_IDLE = CAIRN_PATH_NONE + 8, /* in this step it does nothing, see idle.c; and */
+    CAIRN_PATH_EVEN_CENTRAL = CAIRN_PATH_CENTRAL + 8, /* balls of one size and mass, whose spins change alike */
     CAIRN_PATH_WAY = 15,
     CAIRN_PATH_FREE = 16,   /* and: a is not static */
     CAIRN_PATH_FRESH = 32,  /* and: the rows are not held, but made in this step */
     CAIRN_PATH_APART = 64,  /* and: no point touched when the step began; the quick ways of one point look for themselves */
+    CAIRN_PATH_DOUBTED = 128, /* between two steps: its rows are to be made anew, too, but it may well keep its way */
     CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 
@@ -356,7 +358,7 @@ void cairn_arbiters_follow(cairn_world *world);
 /* Do the rows of the step before serve for this one? */
 static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
-    return arbiter->path != CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
+    return (int8_t)arbiter->path > CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
         && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
 }
 /* Not a slip that a contact may have: all of its past is forgotten. */
@@ -369,7 +371,12 @@ static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const ca
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);
 /* In the next step its rows are to be made anew. */
-static inline void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->path = CAIRN_PATH_NONE; }
+static inline void cairn_arbiter_doubt(cairn_arbiter *arbiter) { arbiter->path |= CAIRN_PATH_DOUBTED; }
+/* Its path is another one: all are arranged anew if it has another turn. */
+static inline void cairn_arbiter_take_turn(cairn_world *world, unsigned before, unsigned path)
+{
+    world->rearranged = world->rearranged || ((before ^ path) & CAIRN_PATH_TURN) != 0;
+}
 /* Of a row that is made anew: what slipped before, if it is known. */
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter);
 

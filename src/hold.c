@@ -225,39 +225,44 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
         doubtful = doubtful || magnitude(arbiter->slip) >= HOLD_SLIP;
         settle_in_turn(world, arbiter, a, b);
     }
-    arbiter->path = struck ? CAIRN_PATH_FRESH : CAIRN_PATH_NONE; /* its points take turns again */
+    arbiter->path = struck ? CAIRN_PATH_FRESH : 0; /* its points take turns again */
     return !doubtful && cairn_heading_is_near(arbiter->past.heading.a, a->angle, HOLD_TURN)
         && cairn_heading_is_near(arbiter->past.heading.b, b->angle, HOLD_TURN);
 }
 
-/* The way of the next step's sweeps, after this one's: mostly the same. Of one point, and of two. */
-static inline uint8_t next_path_of_one(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+static uint8_t other_path(cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
-    return (before & CAIRN_PATH_WAY) < CAIRN_PATH_SINGLE ? cairn_arbiter_path_of(world, arbiter, 0) : before;
+    uint8_t path = cairn_arbiter_path_of(world, arbiter, 0);
+    cairn_arbiter_take_turn(world, before, path);
+    return path;
 }
 
-static inline uint8_t next_path_of_two(const cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+/* The way of the next step's sweeps, after this one's: mostly the same. Of one point, and of two. */
+static inline uint8_t next_path_of_one(cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
+{
+    return (before & CAIRN_PATH_WAY) < CAIRN_PATH_CENTRAL ? other_path(world, arbiter, before) : before;
+}
+
+static inline uint8_t next_path_of_two(cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
     int way = before & CAIRN_PATH_WAY;
     bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
-    return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : cairn_arbiter_path_of(world, arbiter, 0);
+    return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : other_path(world, arbiter, before);
 }
 
-static inline void follow(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
+static inline void follow(cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
-    uint8_t before = (uint8_t)(arbiter->path & ~(unsigned)CAIRN_PATH_FRESH);
-    arbiter->path = CAIRN_PATH_NONE;
+    uint8_t before = arbiter->path & (uint8_t)~(unsigned)CAIRN_PATH_FRESH, path = before | CAIRN_PATH_DOUBTED;
     if (arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
         forget(arbiter);
     } else if (arbiter->count == 1) {
         if (follow_one(arbiter, a, b, deepest)) {
-            arbiter->path = next_path_of_one(world, arbiter, before);
+            path = next_path_of_one(world, arbiter, before);
         }
     } else if (follow_two(world, arbiter, a, b, deepest)) {
-        arbiter->path = (uint8_t)(arbiter->path | next_path_of_two(world, arbiter, before));
-    } else {
-        cairn_arbiter_doubt(arbiter);
+        path = (uint8_t)(arbiter->path | next_path_of_two(world, arbiter, before));
     }
+    arbiter->path = path;
 }
 
 /* What was idle and still hangs in the air may be so again, which the next step will tell; what touches is looked at anew. */

@@ -45,15 +45,20 @@ bool cairn_arbiter_idle(cairn_world *world, cairn_arbiter *arbiter, unsigned fre
 
 static void engage(cairn_world *world, cairn_arbiter *arbiter)
 {
+    unsigned before = arbiter->path;
     cairn_arbiter_engage(world, arbiter, &world->bodies[arbiter->a], &world->bodies[arbiter->b]);
     if (cairn_arbiter_idles(arbiter)) {
-        arbiter->path = cairn_arbiter_path_of(world, arbiter, arbiter->path & CAIRN_PATH_FRESH);
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, before & CAIRN_PATH_FRESH);
+        cairn_arbiter_take_turn(world, before, arbiter->path);
     }
 }
 
 void cairn_arbiter_engage_unless_idle(cairn_world *world, cairn_arbiter *arbiter)
 {
-    if (!cairn_arbiter_idle(world, arbiter, arbiter->path & CAIRN_PATH_FRESH)) {
+    unsigned before = arbiter->path;
+    if (cairn_arbiter_idle(world, arbiter, before & CAIRN_PATH_FRESH)) {
+        cairn_arbiter_take_turn(world, before, arbiter->path);
+    } else {
         engage(world, arbiter);
     }
 }
@@ -62,7 +67,8 @@ void cairn_arbiter_engage_unless_idle(cairn_world *world, cairn_arbiter *arbiter
 static bool rouse(cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    bool acted_on = cairn_arbiter_idles(arbiter) && ((a->flags | b->flags) & CAIRN_BODY_MET);
+    bool acted_on = cairn_arbiter_idles(arbiter) && (arbiter->flags & CAIRN_ARBITER_FRESH) /* not what is about to be forgotten */
+                 && ((a->flags | b->flags) & CAIRN_BODY_MET);
     if (acted_on) {
         engage(world, arbiter);
     }

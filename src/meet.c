@@ -155,16 +155,19 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
             return;
         }
     }
+    unsigned before = arbiter->path;
     cairn_arbiter_prepare(world, arbiter, &manifold);
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
     if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP)) {
         if (arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
+            cairn_arbiter_take_turn(world, before, arbiter->path);
             return;
         }
         cairn_arbiter_engage(world, arbiter, body_a, body_b);
     }
     arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
+    cairn_arbiter_take_turn(world, before, arbiter->path);
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
 }
 

@@ -263,6 +263,9 @@ static void solve(cairn_world *world)
         if (world->bounce != NULL) {
             world->bounce->impact(world, k);
         }
+        if (k == 0 || world->bounce != NULL) {
+            cairn_sweep_arrange(world);
+        }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
             start(world, &f, gx, gy);

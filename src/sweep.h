@@ -7,6 +7,8 @@
 /* ---- sweep.c ---- */
 /* Choose each contact's way again, where contacts have changed since they were found. */
 void cairn_sweep_choose_again(cairn_world *world);
+/* Arrange them by their ways, when all are chosen; and again where one has changed. */
+void cairn_sweep_arrange(cairn_world *world);
 /* Apply the impulses of the step before. */
 void cairn_sweep_warm_start(cairn_world *world);
 /* Soft and pushing out, without friction. In the passes of a sub-step, counted from 0. */

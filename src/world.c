@@ -51,7 +51,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
                                    const cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
-        || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
+        || storage->swept == NULL || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
         || storage->arbiter_capacity > 65000) {
         return NULL;
     }
@@ -60,6 +60,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     world->bodies = storage->bodies;
     world->arbiters = storage->arbiters;
     world->order = storage->order;
+    world->swept = storage->swept;
     world->sorted = storage->sorted;
     world->body_capacity = storage->body_capacity;
     world->body_free = CAIRN_NONE;

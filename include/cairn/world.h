@@ -75,6 +75,7 @@ typedef struct cairn_world {
     cairn_body *bodies;
     cairn_arbiter *arbiters;
     uint16_t *order; /* arbiters by pair of bodies; the free ones behind */
+    uint16_t *swept; /* the same as the solver takes them, see sweep.c */
     uint16_t *sorted; /* bodies by the left ends of their boxes, see broad_pairs.c */
     uint16_t sorted_count;
     uint16_t body_capacity, body_end, body_free;
@@ -108,6 +109,8 @@ typedef struct cairn_world {
     bool slides;    /* a contact does in this step, see slide.c */
     bool idles;     /* a contact does nothing in this step, see idle.c */
     bool in_flight; /* a row was when impacts were looked for last, see bounce.c */
+    bool rearranged; /* a contact has come, gone or taken another way since they were arranged */
+    uint16_t swept_ends[8]; /* where those of each way end, see sweep.c */
 
     cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */
@@ -125,7 +128,7 @@ typedef struct cairn_world_storage {
     cairn_world *world;
     cairn_body *bodies;
     cairn_arbiter *arbiters;
-    uint16_t *order, *sorted;
+    uint16_t *order, *swept, *sorted; /* the first two of as many as arbiters, the third as bodies */
     uint16_t body_capacity, arbiter_capacity;
 } cairn_world_storage;
 
@@ -134,13 +137,13 @@ typedef struct cairn_world_storage {
     static cairn_world name##_world; \
     static cairn_body name##_bodies[body_count]; \
     static cairn_arbiter name##_arbiters[arbiter_count]; \
-    static uint16_t name##_order[arbiter_count], name##_sorted[body_count]; \
-    static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, name##_sorted, \
-                                              (body_count), (arbiter_count) }
+    static uint16_t name##_order[arbiter_count], name##_swept[arbiter_count], name##_sorted[body_count]; \
+    static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, name##_swept, \
+                                              name##_sorted, (body_count), (arbiter_count) }
 
 /* Bytes that CAIRN_WORLD takes, a constant expression. */
 #define CAIRN_WORLD_BYTES(body_count, arbiter_count) \
-    (sizeof(cairn_world) + (body_count) * (sizeof(cairn_body) + sizeof(uint16_t)) + (arbiter_count) * (sizeof(cairn_arbiter) + sizeof(uint16_t)))
+    (sizeof(cairn_world) + (body_count) * (sizeof(cairn_body) + sizeof(uint16_t)) + (arbiter_count) * (sizeof(cairn_arbiter) + 2 * sizeof(uint16_t)))
 
 extern const cairn_solver_class cairn_solver_soft;
 

@@ -88,6 +88,50 @@ void test_long_levers_fixed_bodies_uneven_masses_and_rough_surfaces_are_taken_wi
     }
 }
 
+/* In the order of their turns, and in each of their bodies; nothing has to be swept that is in none. */
+static void assert_arranged(void)
+{
+    uint16_t at = world->swept_ends[CAIRN_PATH_NONE];
+    if (world->rearranged) {
+        return; /* the next step will see to it */
+    }
+    for (int turn = CAIRN_PATH_CAREFUL; turn <= CAIRN_PATH_TURN; turn++) {
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            if ((path_at(place) & CAIRN_PATH_TURN) == turn) {
+                TEST_ASSERT_EQUAL_UINT16(world->order[place], world->swept[at]);
+                at++;
+            }
+        }
+        TEST_ASSERT_EQUAL_UINT16(at, world->swept_ends[turn]);
+    }
+}
+
+void test_contacts_are_swept_in_the_order_of_their_ways_whatever_happens(void)
+{
+    static const cairn_material bouncy = CAIRN_MATERIAL_BOUNCING(0.3, 0.3, 0.8, 0.5);
+    int arranged = 0;
+    cairn_body_id kept[8];
+    put_floor();
+    ASSERT_OK(cairn_sleep_enable(world));
+    for (int i = 0; i < 12; i++) {
+        cairn_body_id id = put(i % 3 == 0 ? &ball : &box, CAIRN_F(i % 4 * 1.1), CAIRN_F(0.5 + i / 4 * 1.2));
+        ASSERT_OK(i % 5 == 0 ? set_material(id, &bouncy) : CAIRN_OK);
+        kept[i % 8] = id;
+    }
+    for (int step = 0; step < 400; step++) {
+        run(1);
+        assert_arranged();
+        arranged += !world->rearranged;
+        if (step % 60 == 30) {
+            ASSERT_OK(cairn_body_set_velocity(world, kept[step / 60], at(CAIRN_F(2), CAIRN_F(3))));
+        }
+        if (step == 200) {
+            ASSERT_OK(cairn_body_destroy(world, kept[7]));
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(20, arranged);
+}
+
 void test_points_that_are_apart_are_known(void)
 {
     open_yard(0);

@@ -28,6 +28,9 @@ void test_init_refuses_storage_with_a_missing_part(void)
     storage.order = NULL;
     assert_no_world(storage);
     storage = yard;
+    storage.swept = NULL;
+    assert_no_world(storage);
+    storage = yard;
     storage.sorted = NULL;
     assert_no_world(storage);
 }
@@ -90,7 +93,7 @@ void test_two_worlds_share_nothing(void)
 
 void test_world_bytes_are_what_the_declared_memory_takes(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(sizeof annex_world + sizeof annex_bodies + sizeof annex_arbiters + sizeof annex_order + sizeof annex_sorted, CAIRN_WORLD_BYTES(2, 1));
+    TEST_ASSERT_EQUAL_UINT32(sizeof annex_world + sizeof annex_bodies + sizeof annex_arbiters + sizeof annex_order + sizeof annex_swept + sizeof annex_sorted, CAIRN_WORLD_BYTES(2, 1));
 }
 
 /* ---- null ---- */

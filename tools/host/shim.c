@@ -132,7 +132,7 @@ static void forget(list *items)
 
 static bool has_memory(const shim_world *w)
 {
-    return w->storage.world != NULL && w->storage.bodies != NULL && w->storage.arbiters != NULL && w->storage.order != NULL && w->storage.sorted != NULL
+    return w->storage.world != NULL && w->storage.bodies != NULL && w->storage.arbiters != NULL && w->storage.order != NULL && w->storage.swept != NULL && w->storage.sorted != NULL
         && w->springs.pool != NULL && w->springs.springs != NULL && w->tree.tree != NULL && w->tree.cells != NULL
         && w->tree.boxes != NULL && w->tree.entries != NULL && w->meshes.mesh != NULL && w->meshes.parts != NULL && w->meshes.nodes != NULL
         && w->meshes.rows != NULL && w->meshes.links != NULL && w->meshes.entries != NULL;
@@ -153,6 +153,7 @@ shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double
     w->storage.bodies = calloc((size_t)bodies, sizeof(cairn_body));
     w->storage.arbiters = calloc((size_t)arbiters, sizeof(cairn_arbiter));
     w->storage.order = calloc((size_t)arbiters, sizeof(uint16_t));
+    w->storage.swept = calloc((size_t)arbiters, sizeof(uint16_t));
     w->storage.sorted = calloc((size_t)bodies, sizeof(uint16_t));
     w->storage.body_capacity = (uint16_t)bodies;
     w->storage.arbiter_capacity = (uint16_t)arbiters;
@@ -192,6 +193,7 @@ void shim_destroy(shim_world *w)
     free(w->storage.bodies);
     free(w->storage.arbiters);
     free(w->storage.order);
+    free(w->storage.swept);
     free(w->storage.sorted);
     free(w->springs.pool);
     free(w->springs.springs);

@@ -27,7 +27,7 @@ static int run(const cairn_scene *scene, const runner_options *options)
     const uint16_t entries = runner_entries(scene);
     const cairn_world_storage world = {
         room(1, sizeof(cairn_world)), room(scene->body_count, sizeof(cairn_body)), room(arbiters, sizeof(cairn_arbiter)),
-        room(arbiters, sizeof(uint16_t)), room(scene->body_count, sizeof(uint16_t)), scene->body_count, arbiters,
+        room(arbiters, sizeof(uint16_t)), room(arbiters, sizeof(uint16_t)), room(scene->body_count, sizeof(uint16_t)), scene->body_count, arbiters,
     };
     const cairn_spring_storage springs = {
         room(1, sizeof(cairn_spring_pool)), room(scene->spring_count, sizeof(cairn_spring)), scene->spring_count,
@@ -50,6 +50,7 @@ static int run(const cairn_scene *scene, const runner_options *options)
     free(world.bodies);
     free(world.arbiters);
     free(world.order);
+    free(world.swept);
     free(world.sorted);
     free(springs.pool);
     free(springs.springs);
