@@ -17,6 +17,7 @@ target_link_libraries(cairn_print PRIVATE cairn_warnings)
 function(cairn_add_host_port)
     add_library(cairn_port_host STATIC
         "${CAIRN_PORTS_DIR}/host/port.c"
+        "${CAIRN_PORTS_DIR}/host/keep.c"
         "${CAIRN_PORTS_DIR}/common/no_display.c"
         "${CAIRN_PORTS_DIR}/common/no_buttons.c")
     target_include_directories(cairn_port_host PUBLIC "${CAIRN_PORTS_DIR}/include")
@@ -38,7 +39,7 @@ function(cairn_add_board_port board)
     if(NOT "${CAIRN_PORTS_DIR}/${board}/buttons.c" IN_LIST sources)
         list(APPEND sources "${CAIRN_PORTS_DIR}/common/no_buttons.c")
     endif()
-    add_library(cairn_port_${board} STATIC ${sources} "${shared}/port.c" "${shared}/semihosting.c" "${shared}/stack.c")
+    add_library(cairn_port_${board} STATIC ${sources} "${shared}/port.c" "${shared}/keep.c" "${shared}/semihosting.c" "${shared}/stack.c")
     target_include_directories(cairn_port_${board} PUBLIC "${CAIRN_PORTS_DIR}/include" "${shared}")
     target_link_libraries(cairn_port_${board} PRIVATE cairn_warnings)
     # The vector table is named by nobody: its object is linked as a file, not from the library.

@@ -75,3 +75,10 @@ uint32_t cairn_port_stack_now(void)
 {
     return 0;
 }
+
+uint32_t cairn_port_seed(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    return (uint32_t)now.tv_sec * 1000003u + (uint32_t)now.tv_nsec;
+}

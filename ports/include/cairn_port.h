@@ -59,6 +59,18 @@ void cairn_port_display(const uint8_t *frame);
 /* The buttons held now, a set of CAIRN_BUTTON_...; 0 where there are none. */
 uint32_t cairn_port_buttons(void);
 
+/* A number that differs from start to start where the machine has one (the host); else always the same: a game then adds
+   the moment of the first press. */
+uint32_t cairn_port_seed(void);
+
+/* Data that outlives the image, under a name: a file on the host and, by semihosting, in QEMU; a board on its own gives a
+   page of its flash. Reads up to `size` bytes from an offset. Returns how many; 0 at the end; -1 if there is no such data. */
+int32_t cairn_port_load(const char *name, uint32_t offset, void *data, uint32_t size);
+
+/* Puts the data in place of what is there: all or, if the machine stops meanwhile, nothing. Returns 0, or -1 if it was not kept.
+   A name has at most 120 characters. */
+int32_t cairn_port_save(const char *name, const void *data, uint32_t size);
+
 #ifdef __cplusplus
 }
 #endif

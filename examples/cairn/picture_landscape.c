@@ -1,0 +1,108 @@
+/* Sky, stars, moon, mountains and water behind the cairn, see picture.h. */
+#include "picture.h"
+
+#include "line.h"
+
+enum { STARS = 22, FAR_RANGE = 4, NEAR_RANGE = 5, BOTTOM = DRAW_HEIGHT * DRAW_SUB, CAP_PERCENT = 28 };
+
+/* Sky from top to bottom in sixteenths of a shade, and the shades of the far and the near range. */
+typedef struct sky_look {
+    uint8_t top, bottom, far_top, far_bottom, near_shade, stars;
+} sky_look;
+
+static const sky_look skies[] = {
+    {40, 92, 6, 4, 2, 0},
+    {24, 76, 5, 3, 2, 8},
+    {10, 58, 4, 2, 1, 16},
+    {0, 36, 3, 1, 1, STARS},
+};
+
+/* A mountain's top and half its width, pixels; the range's foot lies below the frame. */
+typedef struct peak {
+    int16_t x, y, half;
+} peak;
+
+static const peak far_range[FAR_RANGE] = {{14, 34, 38}, {48, 26, 34}, {84, 32, 36}, {118, 24, 40}};
+static const peak near_range[NEAR_RANGE] = {{-4, 44, 30}, {30, 50, 26}, {66, 46, 30}, {96, 52, 24}, {126, 42, 32}};
+
+static void draw_stars(draw_canvas *canvas, const game *g, int count)
+{
+    random_source r = random_from(7);
+    for (int i = 0; i < count; i++) {
+        const uint32_t place = random_next(&r);
+        const bool twinkles = ((g->frame >> 4) + place) % 7 == 0;
+        draw_pixel(canvas, (int)(place >> 8 & 127), (int)(place >> 16) % 40, twinkles ? 13 : 7);
+    }
+}
+
+static void draw_moon(draw_canvas *canvas, int y)
+{
+    const draw_point center = {102 * DRAW_SUB, y * DRAW_SUB}, spot = {100 * DRAW_SUB, (y - 2) * DRAW_SUB};
+    const draw_shades light = {15, 11};
+    draw_disc(canvas, center, 7 * DRAW_SUB, light);
+    draw_disc(canvas, spot, 2 * DRAW_SUB, draw_shade(11));
+    draw_box(canvas, 104, y + 2, 2, 2, 10);
+}
+
+static void draw_peak(draw_canvas *canvas, peak p, int down, draw_shades shades)
+{
+    const int y = (p.y + down) * DRAW_SUB, height = 2 * p.half / 3 * DRAW_SUB;
+    const draw_point corners[3] = {{p.x * DRAW_SUB, y}, {(p.x - p.half) * DRAW_SUB, y + height}, {(p.x + p.half) * DRAW_SUB, y + height}};
+    draw_convex(canvas, corners, 3, shades);
+    draw_box(canvas, p.x - p.half, (y + height) / DRAW_SUB, 2 * p.half, DRAW_HEIGHT, shades.bottom);
+}
+
+/* Snow: the same triangle, smaller. */
+static void draw_cap(draw_canvas *canvas, peak p, int down, int shade)
+{
+    const int y = (p.y + down) * DRAW_SUB, wide = p.half * DRAW_SUB * CAP_PERCENT / 100, high = wide * 2 / 3;
+    const draw_point corners[5] = {{p.x * DRAW_SUB, y}, {p.x * DRAW_SUB - wide, y + high}, {p.x * DRAW_SUB - wide / 4, y + high * 3 / 4},
+                                   {p.x * DRAW_SUB + wide / 3, y + high}, {p.x * DRAW_SUB + wide, y + high}};
+    draw_convex(canvas, corners, 5, draw_shade(shade));
+}
+
+static void draw_water(draw_canvas *canvas, const game *g, int y)
+{
+    if (y >= DRAW_HEIGHT)
+        return;
+    draw_box(canvas, 0, y, DRAW_WIDTH, DRAW_HEIGHT - y, 1);
+    draw_row(canvas, 0, DRAW_WIDTH, y, 5);
+    for (int row = 2; y + row < DRAW_HEIGHT; row += 3)
+        for (int x = 0; x < DRAW_WIDTH; x += 16) {
+            const int from = x + (int)((g->frame / 8 + (uint32_t)row * 5) % 16);
+            draw_row(canvas, from, from + 6 - row / 2, y + row, 4);
+        }
+}
+
+/* Streaks that go with the wind, the faster the stronger it is. */
+static void draw_wind(draw_canvas *canvas, const game *g)
+{
+    const int strength = (int)(g->round.wind.now / (CAIRN_F(1) / 8));
+    const int count = strength < 0 ? -strength : strength;
+    for (int i = 0; i < count && i < 8; i++) {
+        const int way = (int)(g->frame * (uint32_t)(2 + i % 3)) % 176;
+        const int x = (i * 53 + (strength < 0 ? 175 - way : way)) % 176 - 24;
+        draw_row(canvas, x, x + 10 + i % 4, (i * 29 + 17) % 56 + 4, 8);
+    }
+}
+
+void picture_landscape(draw_canvas *canvas, const game *g, const draw_view *view)
+{
+    const sky_look *look = &skies[g->round.level.dark & 3];
+    /* What is far moves less: pixels that the camera has risen, and a share of them. */
+    const int risen = (int)(draw_view_length(view, view->center.y) / DRAW_SUB);
+    const draw_shades far_shades = {look->far_top, look->far_bottom};
+    draw_gradient(canvas, look->top, look->bottom);
+    draw_stars(canvas, g, look->stars);
+    if (look->stars > 0)
+        draw_moon(canvas, 15 + risen / 24);
+    for (int i = 0; i < FAR_RANGE; i++)
+        draw_peak(canvas, far_range[i], risen / 8, far_shades);
+    for (int i = 0; i < FAR_RANGE; i++)
+        draw_cap(canvas, far_range[i], risen / 8, look->far_top + 5);
+    for (int i = 0; i < NEAR_RANGE; i++)
+        draw_peak(canvas, near_range[i], risen / 3, draw_shade(look->near_shade));
+    draw_wind(canvas, g);
+    const draw_point water = draw_view_point(view, cairn_vec2_of(0, CAIRN_F(-1.0)));
+    draw_water(canvas, g, water.y / DRAW_SUB);
+}
