@@ -46,7 +46,7 @@ uint32_t bot_buttons(const round *r, uint32_t frame)
     const bool is_over = cairn_real_is_within(load.x - goal, NEAR) && cairn_real_is_within(swing.x, CALM);
     /* In wind nothing hangs still: after a while a fair moment will do. */
     const bool is_fair = frame % PATIENCE < BEAT && cairn_real_is_within(load.x - goal, 3 * NEAR);
-    if (is_flat && (is_over || is_fair) && frame % BEAT == 0)
+    if (r->held == 0 && is_flat && (is_over || is_fair) && frame % BEAT == 0)
         buttons |= CAIRN_BUTTON_SELECT;
     return buttons;
 }

@@ -9,7 +9,7 @@
 #define ROPE_FREQUENCY CAIRN_F(7)
 #define ROPE_DAMPING CAIRN_F(0.6)
 
-static const cairn_shape trolley_shape = CAIRN_CIRCLE(CAIRN_F(0.1));
+static const cairn_shape trolley_shape = CAIRN_BOX(CAIRN_F(0.3), CAIRN_F(0.12));
 static const cairn_body_model trolley_model = { &trolley_shape, &cairn_material_default, CAIRN_KINEMATIC, CAIRN_DENSITY(1), CAIRN_F(1), 0, 0,
                                                 8, 0, false, false, false, NULL };
 

@@ -14,7 +14,7 @@ enum {
     MENU_TITLE
 };
 
-#define CAMERA_OVER_TOP CAIRN_F(0.75)
+#define CRANE_OVER_CAMERA CAIRN_F(1.25) /* the balloon near the upper edge of the picture */
 
 static void enter(game *g, game_state state)
 {
@@ -28,7 +28,7 @@ static void start_round(game *g, int number, int lives)
 {
     round_start(&g->round, number, random_next(&g->random), lives);
     feel_start(&g->feel, g->frame + 1);
-    g->camera = CAMERA_OVER_TOP;
+    g->camera = g->round.crane_height - CRANE_OVER_CAMERA;
 }
 
 static void start_demo(game *g)
@@ -80,7 +80,7 @@ static void show_events(game *g)
 
 static void move_camera(game *g)
 {
-    const cairn_real goal = g->round.crane_height - CAIRN_F(2) + CAMERA_OVER_TOP;
+    const cairn_real goal = g->round.crane_height - CRANE_OVER_CAMERA;
     g->camera += (goal - g->camera) / 16;
 }
 

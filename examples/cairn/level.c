@@ -51,19 +51,19 @@ static const level_piece pebble_pieces[] = {
 static const level_piece storm_pieces[] = {{&needle, TOP_AT(0.2, 0), 0, LOOK_SNOW}, {&stop, {CAIRN_F(-2.4), CAIRN_F(-0.4)}, 0, LOOK_SNOW}};
 
 /* Slabs lie well, boulders less, pebbles roll. */
-#define SLABS { CAIRN_F(0.52), CAIRN_F(0.72), CAIRN_F(0.27), CAIRN_F(0.36), 5, 6 }
-#define BOULDERS { CAIRN_F(0.44), CAIRN_F(0.62), CAIRN_F(0.32), CAIRN_F(0.42), 5, 7 }
-#define PEBBLES { CAIRN_F(0.36), CAIRN_F(0.46), CAIRN_F(0.30), CAIRN_F(0.36), 7, 8 }
+#define SLABS { CAIRN_F(0.52), CAIRN_F(0.72), CAIRN_F(0.24), CAIRN_F(0.34), 52, 88 }
+#define BOULDERS { CAIRN_F(0.44), CAIRN_F(0.62), CAIRN_F(0.30), CAIRN_F(0.40), 42, 74 }
+#define PEBBLES { CAIRN_F(0.40), CAIRN_F(0.50), CAIRN_F(0.28), CAIRN_F(0.35), 30, 54 }
 
 static const level levels[] = {
-    {"MEADOW", CAIRN_F(1.7), 0, 0, 12, COUNT(meadow_pieces), 0, SLABS, meadow_pieces},
-    {"CLIFF", CAIRN_F(2.1), 0, CAIRN_F(0.4), 12, COUNT(cliff_pieces), 0, SLABS, cliff_pieces},
-    {"BREEZE", CAIRN_F(2.3), CAIRN_F(0.9), CAIRN_F(-0.5), 14, COUNT(breeze_pieces), 1, BOULDERS, breeze_pieces},
-    {"TWINS", CAIRN_F(2.3), CAIRN_F(0.3), CAIRN_F(1.0), 16, COUNT(twin_pieces), 1, SLABS, twin_pieces},
-    {"SEESAW", CAIRN_F(1.7), 0, 0, 16, COUNT(seesaw_pieces), 2, SLABS, seesaw_pieces},
-    {"FROST", CAIRN_F(1.9), CAIRN_F(0.5), 0, 16, COUNT(frost_pieces), 2, BOULDERS, frost_pieces},
-    {"PEBBLES", CAIRN_F(1.7), CAIRN_F(0.4), 0, 24, COUNT(pebble_pieces), 3, PEBBLES, pebble_pieces},
-    {"STORM", CAIRN_F(2.8), CAIRN_F(1.8), CAIRN_F(0.2), 20, COUNT(storm_pieces), 3, BOULDERS, storm_pieces},
+    {"MEADOW", CAIRN_F(2.0), 0, 0, 12, COUNT(meadow_pieces), 0, SLABS, meadow_pieces},
+    {"CLIFF", CAIRN_F(2.8), 0, CAIRN_F(0.4), 12, COUNT(cliff_pieces), 0, SLABS, cliff_pieces},
+    {"BREEZE", CAIRN_F(3.2), CAIRN_F(0.9), CAIRN_F(-0.5), 14, COUNT(breeze_pieces), 1, BOULDERS, breeze_pieces},
+    {"TWINS", CAIRN_F(3.4), CAIRN_F(0.3), CAIRN_F(1.0), 16, COUNT(twin_pieces), 1, SLABS, twin_pieces},
+    {"SEESAW", CAIRN_F(2.2), 0, 0, 16, COUNT(seesaw_pieces), 2, SLABS, seesaw_pieces},
+    {"FROST", CAIRN_F(3.0), CAIRN_F(0.5), 0, 16, COUNT(frost_pieces), 2, BOULDERS, frost_pieces},
+    {"PEBBLES", CAIRN_F(2.0), CAIRN_F(0.4), 0, 20, COUNT(pebble_pieces), 3, PEBBLES, pebble_pieces},
+    {"STORM", CAIRN_F(4.0), CAIRN_F(1.8), CAIRN_F(0.2), 24, COUNT(storm_pieces), 3, BOULDERS, storm_pieces},
 };
 
 enum { LEVEL_COUNT = COUNT(levels), LAPS_MAX = 8 };

@@ -69,7 +69,7 @@ static void draw_height(draw_canvas *canvas, const game *g)
     length += draw_number(text + length, goal, 1);
     text[length++] = 'M';
     text[length] = '\0';
-    draw_label(canvas, MIDDLE - draw_text_width(text) / 2 - 4, 1, text, 12);
+    draw_label(canvas, 1, 8, text, 12);
 }
 
 static void draw_points(draw_canvas *canvas, const game *g)
@@ -78,7 +78,10 @@ static void draw_points(draw_canvas *canvas, const game *g)
     draw_number(text, (int32_t)g->score.points, 0);
     draw_label(canvas, 1, 1, text, 15);
     if (g->score.streak > 1)
-        draw_label(canvas, 1, 8, with_number(text, "X", g->score.streak, 0), 10);
+        {
+        const int x = 4 + draw_text_width(text);
+        draw_label(canvas, x, 1, with_number(text, "X", g->score.streak, 0), 10);
+    }
 }
 
 /* Seconds that the cairn still has to stand. */
@@ -101,7 +104,7 @@ static void draw_card(draw_canvas *canvas, const game *g)
     const int slide = g->since < 10 ? (int)(10 - g->since) * 8 : g->since > CARD_STEPS - 10 ? -(int)(g->since + 10 - CARD_STEPS) * 8 : 0;
     const draw_shades shades = {15, 9};
     const int width = (int)strlen(g->round.level.name) * 8 - 2;
-    draw_tint(canvas, 0, 37, DRAW_WIDTH, 23, -5);
+    draw_tint(canvas, 0, 37, DRAW_WIDTH, 23, -4);
     draw_centered(canvas, MIDDLE + slide, 39, with_number(text, "LEVEL ", g->round.number + 1, 0), 12);
     draw_big_text(canvas, MIDDLE - width / 2 - slide, 47, g->round.level.name, 2, shades);
 }
@@ -118,7 +121,7 @@ static void draw_title(draw_canvas *canvas, const game *g)
 {
     char text[LINE_SIZE];
     const draw_shades shades = {15, 7};
-    draw_tint(canvas, 0, 0, DRAW_WIDTH, DRAW_HEIGHT, -5);
+    draw_tint(canvas, 0, 0, DRAW_WIDTH, DRAW_HEIGHT, -3);
     draw_big_text(canvas, MIDDLE - 38, 7, "CAIRN", 4, shades);
     draw_row(canvas, MIDDLE - 38, MIDDLE + 38, 30, 6);
     if (g->can_continue) {

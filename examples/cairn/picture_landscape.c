@@ -3,7 +3,7 @@
 
 #include "line.h"
 
-enum { STARS = 22, FAR_RANGE = 4, NEAR_RANGE = 5, BOTTOM = DRAW_HEIGHT * DRAW_SUB, CAP_PERCENT = 28 };
+enum { STARS = 22, FAR_RANGE = 4, NEAR_RANGE = 5, BOTTOM = DRAW_HEIGHT * DRAW_SUB, CAP_PERCENT = 28, MOON_X = 86 };
 
 /* Sky from top to bottom in sixteenths of a shade, and the shades of the far and the near range. */
 typedef struct sky_look {
@@ -37,11 +37,11 @@ static void draw_stars(draw_canvas *canvas, const game *g, int count)
 
 static void draw_moon(draw_canvas *canvas, int y)
 {
-    const draw_point center = {102 * DRAW_SUB, y * DRAW_SUB}, spot = {100 * DRAW_SUB, (y - 2) * DRAW_SUB};
-    const draw_shades light = {15, 11};
-    draw_disc(canvas, center, 7 * DRAW_SUB, light);
-    draw_disc(canvas, spot, 2 * DRAW_SUB, draw_shade(11));
-    draw_box(canvas, 104, y + 2, 2, 2, 10);
+    const draw_point center = {MOON_X * DRAW_SUB, y * DRAW_SUB}, spot = {(MOON_X - 2) * DRAW_SUB, (y - 2) * DRAW_SUB};
+    const draw_shades light = {11, 8};
+    draw_disc(canvas, center, 6 * DRAW_SUB, light);
+    draw_disc(canvas, spot, 2 * DRAW_SUB, draw_shade(8));
+    draw_box(canvas, MOON_X + 2, y + 2, 2, 2, 7);
 }
 
 static void draw_peak(draw_canvas *canvas, peak p, int down, draw_shades shades)
@@ -95,7 +95,7 @@ void picture_landscape(draw_canvas *canvas, const game *g, const draw_view *view
     draw_gradient(canvas, look->top, look->bottom);
     draw_stars(canvas, g, look->stars);
     if (look->stars > 0)
-        draw_moon(canvas, 15 + risen / 24);
+        draw_moon(canvas, 14 + risen / 24);
     for (int i = 0; i < FAR_RANGE; i++)
         draw_peak(canvas, far_range[i], risen / 8, far_shades);
     for (int i = 0; i < FAR_RANGE; i++)

@@ -19,9 +19,9 @@ enum {
 };
 
 #define GRAVITY CAIRN_F(-8)
-#define STILL CAIRN_F(0.06)      /* m/s */
+#define STILL CAIRN_F(0.15)      /* m/s: a tall cairn may sway */
 #define WATER CAIRN_F(-1.3)      /* what is lower is lost */
-#define CRANE_CLEARANCE CAIRN_F(2.0)
+#define CRANE_CLEARANCE CAIRN_F(1.8)
 #define TREE_CENTER_Y CAIRN_F(12)
 
 CAIRN_WORLD(yard, BODIES, ARBITERS);
@@ -41,7 +41,8 @@ static void place_pieces(round *r)
 void round_start(round *r, int number, uint32_t seed, int lives)
 {
     memset(r, 0, sizeof *r);
-    r->world = cairn_world_init(&yard, cairn_vec2_of(0, GRAVITY));
+    /* Without continuous collision: a stone falls less than a third of its height in a step. */
+    r->world = cairn_world_init_with(&yard, cairn_vec2_of(0, GRAVITY), &cairn_solver_soft, NULL);
     (void)cairn_springs_enable(r->world, &ropes);
     (void)cairn_quadtree_enable(r->world, &tree, cairn_vec2_of(0, TREE_CENTER_Y), TREE_SIZE_LOG2, TREE_DEPTH);
     (void)cairn_sleep_enable(r->world);

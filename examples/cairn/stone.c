@@ -7,8 +7,11 @@ static const cairn_material rough = CAIRN_MATERIAL(0.95, 0.85);
 
 enum {
     TRIES = 4,
-    JITTER = 26,        /* percent of the way to the next corner, at most */
-    PERCENT_OF_TURN = 42949672
+    JITTER = 26, /* percent of the way to the next corner, at most */
+    ROUND_CORNERS_MIN = 7,
+    PERCENT_OF_TURN = 42949672,
+    LEAN_PERCENT = 16,
+    SIDE_PERCENT = 55 /* how high or low the corner of a side may lie, in percent of half the height */
 };
 
 static cairn_real between(random_source *r, cairn_real low, cairn_real high)
@@ -16,17 +19,36 @@ static cairn_real between(random_source *r, cairn_real low, cairn_real high)
     return low + (cairn_real)((int64_t)(high - low) * random_between(r, 0, 1024) / 1024);
 }
 
+static cairn_real percent_of(cairn_real x, int32_t percent) { return (cairn_real)((int64_t)x * percent / 100); }
+
 /* Corners on an ellipse at uneven angles: convex whatever the angles. */
-static void place_corners(cairn_vec2 *points, int count, random_source *r, const stone_style *style)
+static int round_corners(cairn_vec2 *points, random_source *r, cairn_real wide, cairn_real high)
 {
-    const cairn_real wide = between(r, style->wide_min, style->wide_max), high = between(r, style->high_min, style->high_max);
-    const int start = random_between(r, 0, 99);
+    const int count = random_between(r, ROUND_CORNERS_MIN, STONE_CORNERS), start = random_between(r, 0, 99);
     for (int i = 0; i < count; i++) {
         const int percent = (100 * i + start + random_between(r, -JITTER, JITTER)) / count;
         cairn_unit c, s;
         cairn_angle_rotation((cairn_angle)((uint32_t)percent * (uint32_t)PERCENT_OF_TURN), &c, &s);
         points[i] = cairn_vec2_of(cairn_mul32(wide, c, 30), cairn_mul32(high, s, 30));
     }
+    return count;
+}
+
+/* Two beds, the upper one leaning a little, and a corner at either side: convex, for the sides lie between the beds and reach farther than they do. */
+static int bedded_corners(cairn_vec2 *points, random_source *r, const stone_style *style, cairn_real wide, cairn_real high)
+{
+    static const int8_t beds[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        const cairn_real bed = percent_of(wide, random_between(r, style->bed_min, style->bed_max));
+        const cairn_real height = percent_of(high, i < 2 ? 100 : random_between(r, 100 - LEAN_PERCENT, 100));
+        points[count++] = cairn_vec2_of(beds[i][0] * bed, beds[i][1] * height);
+        if ((i & 1) != 0) {
+            const cairn_real side = percent_of(high, random_between(r, -SIDE_PERCENT, SIDE_PERCENT));
+            points[count++] = cairn_vec2_of(beds[i][0] * wide, side);
+        }
+    }
+    return count;
 }
 
 void stone_shape(stone *s, uint32_t seed, const stone_style *style)
@@ -35,18 +57,18 @@ void stone_shape(stone *s, uint32_t seed, const stone_style *style)
     cairn_vec2 points[STONE_CORNERS];
     cairn_status status = CAIRN_ERROR_SHAPE;
     for (int try = 0; try < TRIES && status != CAIRN_OK; try++) {
-        const int count = random_between(&r, style->corners_min, style->corners_max);
-        place_corners(points, count, &r, style);
+        const cairn_real wide = between(&r, style->wide_min, style->wide_max), high = between(&r, style->high_min, style->high_max);
+        const int count = style->bed_max > 0 ? bedded_corners(points, &r, style, wide, high) : round_corners(points, &r, wide, high);
         status = cairn_polygon_init(&s->polygon, points, count);
     }
     if (status != CAIRN_OK)
-        (void)cairn_polygon_init_regular(&s->polygon, 6, style->high_max);
+        (void)cairn_polygon_init_regular(&s->polygon, ROUND_CORNERS_MIN, style->high_max);
     s->seed = seed;
     s->state = STONE_NONE;
     s->model = cairn_body_model_default(&s->polygon.shape);
     s->model.material = &rough;
     s->model.layer = STONE_LAYER;
-    s->model.angular_damping = CAIRN_F(0.6);
+    s->model.angular_damping = CAIRN_F(1);
 }
 
 bool stone_place(stone *s, cairn_world *world, cairn_vec2 position, cairn_angle angle, stone_state state)

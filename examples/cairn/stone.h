@@ -6,10 +6,10 @@
 
 enum { STONE_LAYER = 2, STONE_CORNERS = CAIRN_MAX_VERTICES };
 
-/* What the stones of a level are like: half their sizes, and how many corners. */
+/* What the stones of a level are like: half their sizes, and how much of the width is flat below and above, in percent; 0: they are round. */
 typedef struct stone_style {
     cairn_real wide_min, wide_max, high_min, high_max;
-    uint8_t corners_min, corners_max;
+    uint8_t bed_min, bed_max;
 } stone_style;
 
 typedef enum stone_state {
