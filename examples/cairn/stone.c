@@ -16,10 +16,10 @@ enum {
 
 static cairn_real between(random_source *r, cairn_real low, cairn_real high)
 {
-    return low + (cairn_real)((int64_t)(high - low) * random_between(r, 0, 1024) / 1024);
+    return low + (high - low) / 256 * random_between(r, 0, 256);
 }
 
-static cairn_real percent_of(cairn_real x, int32_t percent) { return (cairn_real)((int64_t)x * percent / 100); }
+static cairn_real percent_of(cairn_real x, int32_t percent) { return x / 100 * percent; }
 
 /* Corners on an ellipse at uneven angles: convex whatever the angles. */
 static int round_corners(cairn_vec2 *points, random_source *r, cairn_real wide, cairn_real high)

@@ -24,7 +24,7 @@ static inline draw_shades draw_shade(int shade)
     return shades;
 }
 
-/* A convex polygon's inside, corners in any direction. Coordinates beyond 2^26 are taken as 2^26. */
+/* A convex polygon's inside, corners in any direction. Coordinates beyond 2047 pixels are taken as 2047. */
 void draw_convex(draw_canvas *canvas, const draw_point *corners, int count, draw_shades shades);
 /* Its outline, one pixel wide. */
 void draw_outline(draw_canvas *canvas, const draw_point *corners, int count, int shade);

@@ -1,7 +1,7 @@
 /* See line.h. One axis is walked pixel by pixel, the other follows by an exact remainder (Bresenham, 1965). */
 #include "line.h"
 
-enum { COORDINATE_LIMIT = 1 << 28 };
+enum { COORDINATE_LIMIT = 1 << 13 }; /* so that all of it fits into 32 bits: 64-bit division alone is 1 KB of flash */
 
 static int32_t limited(int32_t x)
 {
@@ -18,13 +18,9 @@ static void swap(int32_t *a, int32_t *b)
 /* The line's second coordinate at a place along the first, and the remainder of it, in units of 1 / (2 * length). */
 static int32_t start_at(int32_t along, int32_t way, int32_t length, int32_t *remainder)
 {
-    const int64_t doubled = 2 * (int64_t)length;
-    const int64_t numerator = 2 * (int64_t)along * way + length;
-    int64_t whole = numerator / doubled;
-    if (numerator - whole * doubled < 0)
-        whole--;
-    *remainder = (int32_t)(numerator - whole * doubled);
-    return (int32_t)whole;
+    const int32_t doubled = 2 * length, numerator = 2 * along * way + length; /* below 2^30 */
+    *remainder = numerator % doubled;
+    return numerator / doubled;
 }
 
 void draw_line(draw_canvas *canvas, int32_t x0, int32_t y0, int32_t x1, int32_t y1, int shade, unsigned pattern)
@@ -44,7 +40,6 @@ void draw_line(draw_canvas *canvas, int32_t x0, int32_t y0, int32_t x1, int32_t 
     const int32_t end = a1 < high ? a1 + 1 : high;
     if (a >= end)
         return;
-    /* At most 2^29 long: twice that fits, and so does the remainder. */
     const int32_t length = a1 - a0 > 0 ? a1 - a0 : 1, way = b1 - b0;
     const int32_t size = way < 0 ? -way : way, step = way < 0 ? -1 : 1;
     int32_t remainder;

@@ -6,7 +6,7 @@
 
 enum { DRAW_SOLID = 0xFF, DRAW_DASHED = 0xF0, DRAW_DOTTED = 0x11, DRAW_SPARSE = 0x01 };
 
-/* Ends included. Coordinates beyond 2^28 are taken as 2^28. pattern: which of 8 pixels are set, from bit 0. */
+/* Ends included. Coordinates beyond 8192 are taken as 8192. pattern: which of 8 pixels are set, from bit 0. */
 void draw_line(draw_canvas *canvas, int32_t x0, int32_t y0, int32_t x1, int32_t y1, int shade, unsigned pattern);
 
 #endif

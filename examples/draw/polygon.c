@@ -3,9 +3,8 @@
 #include "span.h"
 
 enum {
-    FAR = 1 << 15,             /* up to here 32 bits hold an edge's slope and all of its way */
+    COORDINATE_LIMIT = 2047 * DRAW_SUB, /* up to here 32 bits hold an edge's slope and all of its way */
     SLOPE_SHIFT = 14,
-    COORDINATE_LIMIT = 1 << 26,
     CORNERS = 16
 };
 
@@ -13,8 +12,6 @@ static int32_t limited(int32_t x)
 {
     return x > COORDINATE_LIMIT ? COORDINATE_LIMIT : x < -COORDINATE_LIMIT ? -COORDINATE_LIMIT : x;
 }
-
-static bool is_near(draw_point p) { return p.x > -FAR && p.x < FAR && p.y > -FAR && p.y < FAR; }
 
 static void widen(draw_spans *spans, int line, int32_t x, int32_t left, int32_t right)
 {
@@ -37,18 +34,13 @@ static void add_edge(draw_spans *spans, const draw_canvas *canvas, draw_point a,
         return;
     const int32_t left = canvas->left * DRAW_SUB, right = canvas->right * DRAW_SUB;
     const int32_t down = line * SPAN_STEP + SPAN_FIRST - a.y;
-    if (is_near(a) && is_near(b)) {
-        /* |slope * down| <= |b.x - a.x| * 2^14 < 2^30 */
-        const int32_t slope = (b.x - a.x) * (1 << SLOPE_SHIFT) / (b.y - a.y);
-        int32_t x = slope * down + (1 << (SLOPE_SHIFT - 1));
-        for (; line < end; line++) {
-            widen(spans, line, a.x + (x >> SLOPE_SHIFT), left, right);
-            x += slope * SPAN_STEP;
-        }
-        return;
+    /* |b.x - a.x| < 2^16, and so |slope * down| <= 2^16 * 2^14 */
+    const int32_t slope = (b.x - a.x) * (1 << SLOPE_SHIFT) / (b.y - a.y);
+    int32_t x = slope * down + (1 << (SLOPE_SHIFT - 1));
+    for (; line < end; line++) {
+        widen(spans, line, a.x + (x >> SLOPE_SHIFT), left, right);
+        x = (int32_t)((uint32_t)x + (uint32_t)slope * SPAN_STEP); /* behind the last line it may wrap */
     }
-    for (int32_t y = down; line < end; line++, y += SPAN_STEP)
-        widen(spans, line, a.x + (int32_t)((int64_t)(b.x - a.x) * y / (b.y - a.y)), left, right);
 }
 
 void draw_convex(draw_canvas *canvas, const draw_point *corners, int count, draw_shades shades)
@@ -98,8 +90,8 @@ void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int 
         /* The length to within a tenth: the longer plus three eighths of the shorter. */
         const int32_t length = size_x > size_y ? size_x + size_y * 3 / 8 : size_y + size_x * 3 / 8;
         const int32_t keep = length > rim ? (length - rim) * 64 / length : 0;
-        inner[i].x = x + (int32_t)((int64_t)way_x * keep / 64);
-        inner[i].y = y + (int32_t)((int64_t)way_y * keep / 64);
+        inner[i].x = x + way_x * keep / 64;
+        inner[i].y = y + way_y * keep / 64;
     }
     draw_convex(canvas, corners, count, draw_shade(rim_shade));
     draw_convex(canvas, inner, count, shades);

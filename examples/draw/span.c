@@ -70,7 +70,7 @@ void spans_draw(const draw_spans *spans, draw_canvas *canvas, int32_t top, int32
         const int end = (y + 1) * SPAN_LINES < spans->end ? (y + 1) * SPAN_LINES : spans->end;
         int shade = shades.top;
         if (shades.top != shades.bottom)
-            shade += (int)((int64_t)(shades.bottom - shades.top) * (y - first) / rows);
+            shade += (shades.bottom - shades.top) * (y - first) / rows;
         draw_spans_row(canvas, y, &spans->low[begin], &spans->high[begin], end - begin, shade);
     }
 }

@@ -19,8 +19,7 @@ enum {
 typedef struct costs {
     uint32_t step, draw, flush, frame; /* worst of each */
     uint32_t worst;                    /* the frame that took most */
-    uint64_t sum;
-    uint32_t count;
+    uint32_t sum, rest, count;         /* sum * 256 + rest */
 } costs;
 
 static draw_canvas canvas;
@@ -75,7 +74,9 @@ static void note_cost(uint32_t frame, uint32_t step, uint32_t draw, uint32_t flu
         spent.frame = all;
         spent.worst = frame;
     }
-    spent.sum += all;
+    spent.rest += all & 255u;
+    spent.sum += (all >> 8) + (spent.rest >> 8);
+    spent.rest &= 255u;
     spent.count++;
 }
 
@@ -86,7 +87,7 @@ static void print_cost(void)
     cairn_print_text(" in frame ");
     cairn_print_u32(spent.worst);
     cairn_print_text(" mean ");
-    cairn_print_u64(spent.count > 0 ? spent.sum / spent.count : 0);
+    cairn_print_u32(spent.count > 0 ? spent.sum / spent.count * 256u : 0);
     cairn_print_text(" worst step ");
     cairn_print_u32(spent.step);
     cairn_print_text(" drawing ");

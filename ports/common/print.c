@@ -30,6 +30,22 @@ void cairn_print_text(const char *text)
         put(*text);
 }
 
+/* Puts a number's digits into the buffer behind `count` lower ones, the lowest first. */
+static int add_digits(char *digits, int count, uint32_t value)
+{
+    do {
+        digits[count++] = (char)('0' + (int)(value % 10u));
+        value /= 10u;
+    } while (value != 0);
+    return count;
+}
+
+static void put_digits(const char *digits, int count)
+{
+    while (count > 0)
+        put(digits[--count]);
+}
+
 void cairn_print_u64(uint64_t value)
 {
     char digits[U64_DIGITS];
@@ -39,18 +55,14 @@ void cairn_print_u64(uint64_t value)
         digits[count++] = (char)('0' + (int)(value % 10u));
         value /= 10u;
     }
-    uint32_t low = (uint32_t)value;
-    do {
-        digits[count++] = (char)('0' + (int)(low % 10u));
-        low /= 10u;
-    } while (low != 0);
-    while (count > 0)
-        put(digits[--count]);
+    put_digits(digits, add_digits(digits, count, (uint32_t)value));
 }
 
+/* Not by the wide one: an image without 64-bit numbers is to be without their division, 1 KB on a Cortex-M. */
 void cairn_print_u32(uint32_t value)
 {
-    cairn_print_u64(value);
+    char digits[U64_DIGITS];
+    put_digits(digits, add_digits(digits, 0, value));
 }
 
 void cairn_print_i64(int64_t value)
@@ -66,7 +78,9 @@ void cairn_print_i64(int64_t value)
 
 void cairn_print_i32(int32_t value)
 {
-    cairn_print_i64(value);
+    if (value < 0)
+        put('-');
+    cairn_print_u32(value < 0 ? 0u - (uint32_t)value : (uint32_t)value);
 }
 
 void cairn_print_hex32(uint32_t value)
