@@ -8,7 +8,7 @@ typedef struct painter {
     const draw_view *view;
 } painter;
 
-enum { CORNERS = CAIRN_MAX_VERTICES, NORMAL_LENGTH = 5, AXIS_SHIFT = 2, CELL_SHADE = 6, SPRING_SHADE = 12, HOLD_STEPS = 12 };
+enum { CORNERS = CAIRN_MAX_VERTICES, NORMAL_LENGTH = 5, AXIS_SHIFT = 2, CELL_SHADE = 6, SPRING_SHADE = 12, HOLD_STEPS = 12, FINE_SCALE = 12 };
 
 /* A state's inside (none below 0) and outline. */
 typedef struct state_look {
@@ -84,6 +84,8 @@ static void paint_spring(void *context, cairn_spring_id spring, cairn_vec2 a, ca
     (void)spring;
     (void)rest_length;
     draw_line(p->canvas, from.x >> 4, from.y >> 4, to.x >> 4, to.y >> 4, SPRING_SHADE, DRAW_SOLID);
+    if (p->view->scale < FINE_SCALE)
+        return; /* smaller, the ends would cover the springs between them */
     draw_ring(p->canvas, from, 2 * DRAW_SUB, DRAW_WHITE);
     draw_ring(p->canvas, to, 2 * DRAW_SUB, DRAW_WHITE);
 }
