@@ -9,6 +9,7 @@ enum {
     DEMO_AFTER = 480,     /* steps of the title */
     PAUSE_AFTER = 45,     /* steps that SELECT is held */
     CARD_STEPS = 40,      /* in which a press after a level is not taken, so that none is by chance */
+    RESTORED_A_STEP = 3,
     MENU_RESUME = 0,
     MENU_RETRY,
     MENU_TITLE
@@ -24,11 +25,17 @@ static void enter(game *g, game_state state)
     g->held = 0;
 }
 
+/* What goes with a round that has just been made. */
+static void begin_round(game *g)
+{
+    feel_start(&g->feel, g->frame + 1);
+    g->camera = g->round.crane_height - CRANE_OVER_CAMERA;
+}
+
 static void start_round(game *g, int number, int lives)
 {
     round_start(&g->round, number, random_next(&g->random), lives);
-    feel_start(&g->feel, g->frame + 1);
-    g->camera = g->round.crane_height - CRANE_OVER_CAMERA;
+    begin_round(g);
 }
 
 static void start_demo(game *g)
@@ -125,15 +132,23 @@ static void step_title(game *g, uint32_t pressed)
     if ((pressed & CAIRN_BUTTON_SELECT) != 0) {
         g->random = random_from(g->random.state + g->frame);
         if (g->can_continue && g->menu == 0) {
-            start_round(g, g->kept.number, g->kept.lives);
             keep_restore(&g->kept, &g->round, &g->score);
-            enter(g, GAME_PLAY);
+            begin_round(g);
+            g->restored = 0;
+            enter(g, GAME_RESUME);
         } else {
             play_from(g, 0, ROUND_LIVES);
         }
     } else if (g->since >= DEMO_AFTER) {
         enter(g, GAME_DEMO);
     }
+}
+
+static void step_resume(game *g)
+{
+    g->restored = (uint8_t)keep_restore_stones(&g->kept, &g->round, g->restored, RESTORED_A_STEP);
+    if (g->restored >= g->kept.count)
+        enter(g, GAME_PLAY);
 }
 
 /* The machine plays; its points do not count. */
@@ -230,6 +245,7 @@ void game_step(game *g, uint32_t buttons)
         if (pressed != 0)
             enter(g, GAME_TITLE);
         break;
+    case GAME_RESUME: step_resume(g); break;
     case GAME_PLAY: step_play(g, buttons, pressed); break;
     case GAME_PAUSE: step_pause(g, pressed); break;
     case GAME_WON: step_won(g, pressed); break;

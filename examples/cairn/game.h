@@ -11,6 +11,7 @@
 typedef enum game_state {
     GAME_TITLE, /* over a round that plays itself */
     GAME_DEMO,  /* the same without the title */
+    GAME_RESUME, /* the stones of a kept game come back, a few in each step; then play */
     GAME_PLAY,
     GAME_PAUSE,
     GAME_WON,
@@ -26,6 +27,7 @@ typedef struct game {
     uint16_t held;         /* for how many steps SELECT has been */
     uint8_t menu;          /* the chosen line of the title or the pause */
     bool can_continue;     /* there is a kept game */
+    uint8_t restored;      /* stones of a kept game that are back */
     uint32_t bonus;        /* points of the level */
     cairn_real camera;     /* the height of the picture's middle */
     random_source random;

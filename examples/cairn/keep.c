@@ -77,6 +77,12 @@ void keep_restore(const keep *k, round *r, score *s)
     r->supply = k->supply;
     for (int i = 0; i < r->level.piece_count; i++)
         (void)cairn_body_set_transform(r->world, r->pieces[i], r->level.pieces[i].position, k->piece_angle[i]);
-    for (int i = 0; i < k->count; i++)
+}
+
+int keep_restore_stones(const keep *k, round *r, int from, int count)
+{
+    int i = from;
+    for (; i < k->count && i < from + count; i++)
         (void)round_restore_stone(r, k->stones[i].seed, cairn_vec2_of(k->stones[i].x, k->stones[i].y), k->stones[i].angle);
+    return i;
 }

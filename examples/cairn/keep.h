@@ -27,7 +27,10 @@ void keep_take(keep *k, const round *r, const score *s);
 void keep_take_best(keep *k, const score *s);
 /* Is this one of ours, and whole? */
 bool keep_is_valid(const keep *k);
-/* Go on where it was. The seed of the round is not needed: all that came of it is written down. */
+/* Go on where it was, but for the stones. The seed of the round is not needed: all that came of it is written down. */
 void keep_restore(const keep *k, round *r, score *s);
+/* Then put some of the stones into place, from a number on; returns the number of the first that is not there yet. To make a
+   stone's shape takes time: all 24 at once are more than a frame has. */
+int keep_restore_stones(const keep *k, round *r, int from, int count);
 
 #endif

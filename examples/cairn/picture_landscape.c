@@ -3,23 +3,23 @@
 
 #include "line.h"
 
-enum { STARS = 22, FAR_RANGE = 4, NEAR_RANGE = 5, BOTTOM = DRAW_HEIGHT * DRAW_SUB, CAP_PERCENT = 28, MOON_X = 86 };
+enum { STARS = 22, FAR_RANGE = 4, NEAR_RANGE = 5, MOON_X = 86 };
 
 /* Sky from top to bottom in sixteenths of a shade, and the shades of the far and the near range. */
 typedef struct sky_look {
-    uint8_t top, bottom, far_top, far_bottom, near_shade, stars;
+    uint8_t top, bottom, far, near, stars;
 } sky_look;
 
 static const sky_look skies[] = {
-    {40, 92, 6, 4, 2, 0},
-    {24, 76, 5, 3, 2, 8},
-    {10, 58, 4, 2, 1, 16},
-    {0, 36, 3, 1, 1, STARS},
+    {40, 92, 4, 2, 0},
+    {24, 76, 4, 2, 8},
+    {10, 58, 3, 1, 16},
+    {0, 36, 2, 1, STARS},
 };
 
-/* A mountain's top and half its width, pixels; the range's foot lies below the frame. */
+/* A mountain's top, pixels, and how much snow it bears; its foot lies below the frame. */
 typedef struct peak {
-    int16_t x, y, half;
+    int16_t x, y, snow;
 } peak;
 
 static const peak far_range[FAR_RANGE] = {{14, 34, 38}, {48, 26, 34}, {84, 32, 36}, {118, 24, 40}};
@@ -44,21 +44,25 @@ static void draw_moon(draw_canvas *canvas, int y)
     draw_box(canvas, MOON_X + 2, y + 2, 2, 2, 7);
 }
 
-static void draw_peak(draw_canvas *canvas, peak p, int down, draw_shades shades)
+/* Row by row, three pixels wider every two: hard edges, but most of the picture at little cost. */
+static void draw_peak(draw_canvas *canvas, peak p, int down, int shade)
 {
-    const int y = (p.y + down) * DRAW_SUB, height = 2 * p.half / 3 * DRAW_SUB;
-    const draw_point corners[3] = {{p.x * DRAW_SUB, y}, {(p.x - p.half) * DRAW_SUB, y + height}, {(p.x + p.half) * DRAW_SUB, y + height}};
-    draw_convex(canvas, corners, 3, shades);
-    draw_box(canvas, p.x - p.half, (y + height) / DRAW_SUB, 2 * p.half, DRAW_HEIGHT, shades.bottom);
+    for (int row = 0; p.y + down + row < DRAW_HEIGHT; row++)
+        draw_row(canvas, p.x - row * 3 / 2, p.x + row * 3 / 2 + 1, p.y + down + row, shade);
 }
 
-/* Snow: the same triangle, smaller. */
+/* Snow on its top, with a ragged edge. */
 static void draw_cap(draw_canvas *canvas, peak p, int down, int shade)
 {
-    const int y = (p.y + down) * DRAW_SUB, wide = p.half * DRAW_SUB * CAP_PERCENT / 100, high = wide * 2 / 3;
-    const draw_point corners[5] = {{p.x * DRAW_SUB, y}, {p.x * DRAW_SUB - wide, y + high}, {p.x * DRAW_SUB - wide / 4, y + high * 3 / 4},
-                                   {p.x * DRAW_SUB + wide / 3, y + high}, {p.x * DRAW_SUB + wide, y + high}};
-    draw_convex(canvas, corners, 5, draw_shade(shade));
+    const int height = p.snow / 5;
+    for (int row = 0; row < height + 2; row++) {
+        const int half = row * 3 / 2, y = p.y + down + row;
+        if (row < height)
+            draw_row(canvas, p.x - half, p.x + half + 1, y, shade);
+        else
+            for (int x = p.x - half + (p.snow & 3); x < p.x + half - 2; x += 5)
+                draw_row(canvas, x, x + 3 - (row - height), y, shade);
+    }
 }
 
 static void draw_water(draw_canvas *canvas, const game *g, int y)
@@ -91,17 +95,16 @@ void picture_landscape(draw_canvas *canvas, const game *g, const draw_view *view
     const sky_look *look = &skies[g->round.level.dark & 3];
     /* What is far moves less: pixels that the camera has risen, and a share of them. */
     const int risen = (int)(draw_view_length(view, view->center.y) / DRAW_SUB);
-    const draw_shades far_shades = {look->far_top, look->far_bottom};
     draw_gradient(canvas, look->top, look->bottom);
     draw_stars(canvas, g, look->stars);
     if (look->stars > 0)
         draw_moon(canvas, 14 + risen / 24);
     for (int i = 0; i < FAR_RANGE; i++)
-        draw_peak(canvas, far_range[i], risen / 8, far_shades);
+        draw_peak(canvas, far_range[i], risen / 8, look->far);
     for (int i = 0; i < FAR_RANGE; i++)
-        draw_cap(canvas, far_range[i], risen / 8, look->far_top + 5);
+        draw_cap(canvas, far_range[i], risen / 8, look->far + 5);
     for (int i = 0; i < NEAR_RANGE; i++)
-        draw_peak(canvas, near_range[i], risen / 3, draw_shade(look->near_shade));
+        draw_peak(canvas, near_range[i], risen / 3, look->near);
     draw_wind(canvas, g);
     const draw_point water = draw_view_point(view, cairn_vec2_of(0, CAIRN_F(-1.0)));
     draw_water(canvas, g, water.y / DRAW_SUB);

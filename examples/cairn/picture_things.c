@@ -4,7 +4,7 @@
 #include "line.h"
 #include "text.h"
 
-enum { RIM = 12, BOX_CORNERS = 4, OFF_FRAME = 24 * DRAW_SUB, PLUMB_LENGTH = 40, BALLOON = 82 /* 5 pixels */ };
+enum { BOX_CORNERS = 4, OFF_FRAME = 24 * DRAW_SUB, PLUMB_LENGTH = 40, BALLOON = 82 /* 5 pixels */ };
 
 static bool is_off(draw_point p)
 {
@@ -64,10 +64,10 @@ static void draw_piece(draw_canvas *canvas, const game *g, int index, const draw
     box_corners(g, index, corners, view);
     if (look == LOOK_PIVOT) {
         const draw_point triangle[3] = {{(corners[2].x + corners[3].x) / 2, corners[3].y}, {corners[0].x - 64, corners[0].y}, {corners[1].x + 64, corners[1].y}};
-        draw_rimmed(canvas, triangle, 3, RIM, 1, piece_shades[look]);
+        draw_rimmed(canvas, triangle, 3, 1, piece_shades[look]);
         return;
     }
-    draw_rimmed(canvas, corners, BOX_CORNERS, RIM, 1, piece_shades[look]);
+    draw_rimmed(canvas, corners, BOX_CORNERS, 1, piece_shades[look]);
     draw_cover(canvas, corners, look);
 }
 
@@ -84,7 +84,7 @@ static void draw_stone(draw_canvas *canvas, const game *g, const stone *s, const
         points[i] = draw_view_point(view, corners[i]);
     const int light = 11 + (int)(s->seed >> 8 & 3);
     const draw_shades shades = {light, light - 5};
-    draw_rimmed(canvas, points, count, 17, 0, shades);
+    draw_rimmed(canvas, points, count, 0, shades);
     /* A vein in the stone, which shows how it has turned. */
     const draw_point a = points[0], b = points[count / 2], c = points[count / 3];
     draw_line(canvas, (a.x * 5 + b.x * 3) >> 7, (a.y * 5 + b.y * 3) >> 7, (b.x + c.x + 2 * a.x) >> 6, (b.y + c.y + 2 * a.y) >> 6, light - 5, DRAW_SOLID);

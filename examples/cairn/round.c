@@ -14,7 +14,7 @@ enum {
     TREE_DEPTH = 5,
     NEXT_AFTER = 24,    /* steps from a landing to the next stone */
     LAND_AFTER = 240,   /* what falls for longer has landed, wherever it is */
-    GIVE_UP_AFTER = 200, /* steps without stones */
+    GIVE_UP_AFTER = 800, /* steps without stones while something moves; in a quarter of that if all is at rest */
     MERCY = 90          /* steps in which what falls costs no further life */
 };
 
@@ -214,7 +214,7 @@ void round_step(round *r, round_wish wish, score *s)
     if (r->state == ROUND_LANDED && ++r->wait >= NEXT_AFTER)
         hang_next(r);
     if (r->state == ROUND_EMPTY)
-        r->wait++;
+        r->wait = (uint16_t)(r->wait + (r->standing ? 4 : 1));
     hold_line(r);
     judge(r);
 }

@@ -28,8 +28,8 @@ static inline draw_shades draw_shade(int shade)
 void draw_convex(draw_canvas *canvas, const draw_point *corners, int count, draw_shades shades);
 /* Its outline, one pixel wide. */
 void draw_outline(draw_canvas *canvas, const draw_point *corners, int count, int shade);
-/* Its outline and inside: the inside is the polygon shrunk about the mean of its corners, by `rim` sixteenths of a pixel or so. */
-void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int rim, int rim_shade, draw_shades shades);
+/* Both: its inside, and over its edge the outline in the shade `rim`. */
+void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int rim, draw_shades shades);
 
 void draw_disc(draw_canvas *canvas, draw_point center, int32_t radius, draw_shades shades);
 /* A circle's outline, one pixel wide. */

@@ -4,8 +4,7 @@
 
 enum {
     COORDINATE_LIMIT = 2047 * DRAW_SUB, /* up to here 32 bits hold an edge's slope and all of its way */
-    SLOPE_SHIFT = 14,
-    CORNERS = 16
+    SLOPE_SHIFT = 14
 };
 
 static int32_t limited(int32_t x)
@@ -74,25 +73,8 @@ void draw_outline(draw_canvas *canvas, const draw_point *corners, int count, int
     }
 }
 
-void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int rim, int rim_shade, draw_shades shades)
+void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int rim, draw_shades shades)
 {
-    draw_point inner[CORNERS];
-    int32_t x = 0, y = 0;
-    if (count < 3 || count > CORNERS)
-        return;
-    for (int i = 0; i < count; i++) {
-        x += limited(corners[i].x) / count;
-        y += limited(corners[i].y) / count;
-    }
-    for (int i = 0; i < count; i++) {
-        const int32_t way_x = limited(corners[i].x) - x, way_y = limited(corners[i].y) - y;
-        const int32_t size_x = way_x < 0 ? -way_x : way_x, size_y = way_y < 0 ? -way_y : way_y;
-        /* The length to within a tenth: the longer plus three eighths of the shorter. */
-        const int32_t length = size_x > size_y ? size_x + size_y * 3 / 8 : size_y + size_x * 3 / 8;
-        const int32_t keep = length > rim ? (length - rim) * 64 / length : 0;
-        inner[i].x = x + way_x * keep / 64;
-        inner[i].y = y + way_y * keep / 64;
-    }
-    draw_convex(canvas, corners, count, draw_shade(rim_shade));
-    draw_convex(canvas, inner, count, shades);
+    draw_convex(canvas, corners, count, shades);
+    draw_outline(canvas, corners, count, rim);
 }

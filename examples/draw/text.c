@@ -36,13 +36,22 @@ void draw_text(draw_canvas *canvas, int x, int y, const char *text, int shade)
         draw_letter(canvas, x, y, glyph_of(*text), shade);
 }
 
+/* A letter's row in the middle of five bits; none above the first one and below the last. */
+static unsigned row_of(unsigned glyph, int row) { return row < 0 || row >= ROWS ? 0u : (glyph >> (3 * (ROWS - 1 - row)) & 7u) << 1; }
+
 void draw_label(draw_canvas *canvas, int x, int y, const char *text, int shade)
 {
-    draw_text(canvas, x - 1, y, text, 0);
-    draw_text(canvas, x + 1, y, text, 0);
-    draw_text(canvas, x, y - 1, text, 0);
-    draw_text(canvas, x, y + 1, text, 0);
-    draw_text(canvas, x, y, text, shade);
+    for (; *text != '\0' && x < DRAW_WIDTH; text++, x += DRAW_LETTER_WIDTH) {
+        const unsigned glyph = glyph_of(*text);
+        for (int row = -1; row <= ROWS; row++) {
+            const unsigned letter = row_of(glyph, row), rim = letter << 1 | letter >> 1 | row_of(glyph, row - 1) | row_of(glyph, row + 1);
+            for (int column = 0; column < 5; column++)
+                if ((letter >> (4 - column) & 1u) != 0)
+                    draw_pixel(canvas, x + column - 1, y + row, shade);
+                else if ((rim >> (4 - column) & 1u) != 0)
+                    draw_pixel(canvas, x + column - 1, y + row, 0);
+        }
+    }
 }
 
 void draw_centered(draw_canvas *canvas, int x, int y, const char *text, int shade)

@@ -30,7 +30,7 @@ static void draw_box_body(draw_canvas *canvas, const draw_view *view, cairn_body
     draw_point corners[4];
     for (int i = 0; i < 4; i++)
         corners[i] = draw_view_point(view, cairn_body_to_world(the_game.world, body, cairn_vec2_of(size.x / 2 * signs[i][0], size.y / 2 * signs[i][1])));
-    draw_rimmed(canvas, corners, 4, 12, 1, shades);
+    draw_rimmed(canvas, corners, 4, 1, shades);
 }
 
 static void draw_ground(draw_canvas *canvas, const draw_view *view, cairn_body_id body)
@@ -69,7 +69,7 @@ static void draw_coins(draw_canvas *canvas, const draw_view *view)
         const int32_t wide = widths[(the_game.frame / 8 + (uint32_t)i) % 4];
         const draw_point corners[4] = {{at.x - wide, at.y}, {at.x, at.y - 56}, {at.x + wide, at.y}, {at.x, at.y + 56}};
         const draw_shades gold = {15, 9};
-        draw_rimmed(canvas, corners, 4, 10, 4, gold);
+        draw_rimmed(canvas, corners, 4, 4, gold);
     }
 }
 

@@ -30,7 +30,7 @@ static void draw_box_body(draw_canvas *canvas, const draw_view *view, cairn_body
     for (int i = 0; i < 4; i++)
         corners[i] = draw_view_point(view, cairn_body_to_world(the_game.table.world, body,
                                                                cairn_vec2_of(size.x / 2 * signs[i][0], size.y / 2 * signs[i][1])));
-    draw_rimmed(canvas, corners, 4, 10, 1, shades);
+    draw_rimmed(canvas, corners, 4, 1, shades);
 }
 
 static void draw_part(draw_canvas *canvas, const draw_view *view, int index)

@@ -109,7 +109,7 @@ static void build_rolling(cairn_world *world)
 
 static void build_curtain(cairn_world *world)
 {
-    enum { COLUMNS = 4, ROWS = 6 };
+    enum { COLUMNS = 4, ROWS = 5 };
     cairn_body_id above[COLUMNS];
     for (int column = 0; column < COLUMNS; column++)
         above[column] = put(world, &peg, CAIRN_F(-0.4) + column * CAIRN_F(0.5), CAIRN_F(6.5));
@@ -129,10 +129,10 @@ static void build_curtain(cairn_world *world)
 static void build_balls(cairn_world *world)
 {
     put_ground(world);
-    (void)put(world, &wall, CAIRN_F(-3.6), CAIRN_F(5));
-    (void)put(world, &wall, CAIRN_F(3.6), CAIRN_F(5));
-    for (int i = 0; i < 28; i++)
-        (void)put(world, i % 4 == 0 ? &bouncing : &ball, (i % 7 - 3) * CAIRN_F(0.85) + (i / 7 % 2) * CAIRN_F(0.2), CAIRN_F(1) + i / 7 * CAIRN_F(1));
+    (void)put(world, &wall, CAIRN_F(-3), CAIRN_F(5));
+    (void)put(world, &wall, CAIRN_F(3), CAIRN_F(5));
+    for (int i = 0; i < 20; i++)
+        (void)put(world, i % 4 == 0 ? &bouncing : &ball, (i % 5 - 2) * CAIRN_F(0.9) + (i / 5 % 2) * CAIRN_F(0.2), CAIRN_F(1) + i / 5 * CAIRN_F(1));
 }
 
 static const struct {
