@@ -11,7 +11,7 @@
 enum { PATIENCE = 420, BEAT = 3 };
 
 /* Where the next stone should go: over the highest stone, or where the level says. */
-static cairn_real aim(const round *r)
+static cairn_real aim(const game_round *r)
 {
     cairn_real x = r->level.aim, top = TOP_LAYER;
     for (int i = 0; i < LEVEL_STONES; i++) {
@@ -31,14 +31,15 @@ static uint32_t steer(cairn_real way, cairn_real speed)
     return ahead > NEAR ? CAIRN_BUTTON_RIGHT : ahead < -NEAR ? CAIRN_BUTTON_LEFT : 0u;
 }
 
-uint32_t bot_buttons(const round *r, uint32_t frame)
+uint32_t bot_buttons(const game_round *r, uint32_t frame)
 {
     if (r->state != ROUND_HANGING)
         return 0;
     const cairn_real goal = aim(r);
     const cairn_vec2 trolley = cairn_body_position(r->world, r->crane.trolley), pull = cairn_body_velocity(r->world, r->crane.trolley);
     const cairn_vec2 load = cairn_body_center(r->world, r->current->body), swing = cairn_body_velocity(r->world, r->current->body);
-    const cairn_angle lean = cairn_body_angle(r->world, r->current->body) - stone_flat_angle(r->current);
+    const cairn_angle flat = stone_flat_angle(r->current);
+    const cairn_angle lean = (cairn_angle)((uint32_t)cairn_body_angle(r->world, r->current->body) - (uint32_t)flat);
     uint32_t buttons = steer(goal - trolley.x, pull.x);
     const bool is_flat = lean < FLAT && lean > -FLAT;
     if (!is_flat)

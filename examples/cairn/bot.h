@@ -5,6 +5,6 @@
 #include "round.h"
 
 /* The buttons it holds in this step. */
-uint32_t bot_buttons(const round *r, uint32_t frame);
+uint32_t bot_buttons(const game_round *r, uint32_t frame);
 
 #endif

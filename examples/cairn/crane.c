@@ -3,7 +3,7 @@
 
 #define SPEED CAIRN_F(2.4)        /* m/s */
 #define SPEED_STEP CAIRN_F(0.16)  /* m/s a step: 10 m/s^2 */
-#define RISE_MAX CAIRN_F(2)
+#define RISE_MAX CAIRN_F(4)
 #define TURNING CAIRN_F(2.2)      /* rad/s */
 #define HANG_DAMPING CAIRN_F(0.9) /* 1/s: swings fade in a second or two */
 #define ROPE_FREQUENCY CAIRN_F(7)

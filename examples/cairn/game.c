@@ -72,7 +72,7 @@ void game_use_keep(game *g, const char *name)
 
 static void show_events(game *g)
 {
-    const round *r = &g->round;
+    const game_round *r = &g->round;
     if ((r->events & EVENT_LANDED) != 0) {
         cairn_vec2 at = r->event_at;
         feel_points(&g->feel, at, r->event_points);

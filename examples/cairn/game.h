@@ -31,7 +31,7 @@ typedef struct game {
     uint32_t bonus;        /* points of the level */
     cairn_real camera;     /* the height of the picture's middle */
     random_source random;
-    round round;
+    game_round round;
     score score;
     feel feel;
     draw_layers layers;

@@ -27,7 +27,7 @@ void keep_take_best(keep *k, const score *s)
     seal(k);
 }
 
-static void take_stone(keep *k, const round *r, const stone *s)
+static void take_stone(keep *k, const game_round *r, const stone *s)
 {
     keep_stone *out = &k->stones[k->count];
     const cairn_vec2 at = cairn_body_position(r->world, s->body);
@@ -38,7 +38,7 @@ static void take_stone(keep *k, const round *r, const stone *s)
     k->count++;
 }
 
-void keep_take(keep *k, const round *r, const score *s)
+void keep_take(keep *k, const game_round *r, const score *s)
 {
     memset(k, 0, sizeof *k);
     k->best = s->best;
@@ -65,7 +65,7 @@ bool keep_is_valid(const keep *k)
            k->supply <= LEVEL_STONES && (k->playing == 0 || k->lives > 0);
 }
 
-void keep_restore(const keep *k, round *r, score *s)
+void keep_restore(const keep *k, game_round *r, score *s)
 {
     s->best = k->best;
     s->points = k->points;
@@ -79,7 +79,7 @@ void keep_restore(const keep *k, round *r, score *s)
         (void)cairn_body_set_transform(r->world, r->pieces[i], r->level.pieces[i].position, k->piece_angle[i]);
 }
 
-int keep_restore_stones(const keep *k, round *r, int from, int count)
+int keep_restore_stones(const keep *k, game_round *r, int from, int count)
 {
     int i = from;
     for (; i < k->count && i < from + count; i++)

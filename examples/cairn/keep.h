@@ -22,15 +22,15 @@ typedef struct keep {
 } keep;
 
 /* Write down a game: the round if it is being played, and the score. */
-void keep_take(keep *k, const round *r, const score *s);
+void keep_take(keep *k, const game_round *r, const score *s);
 /* The best score alone. */
 void keep_take_best(keep *k, const score *s);
 /* Is this one of ours, and whole? */
 bool keep_is_valid(const keep *k);
 /* Go on where it was, but for the stones. The seed of the round is not needed: all that came of it is written down. */
-void keep_restore(const keep *k, round *r, score *s);
+void keep_restore(const keep *k, game_round *r, score *s);
 /* Then put some of the stones into place, from a number on; returns the number of the first that is not there yet. To make a
    stone's shape takes time: all 24 at once are more than a frame has. */
-int keep_restore_stones(const keep *k, round *r, int from, int count);
+int keep_restore_stones(const keep *k, game_round *r, int from, int count);
 
 #endif

@@ -99,7 +99,7 @@ static void draw_plumb(draw_canvas *canvas, draw_point load)
 
 static void draw_crane(draw_canvas *canvas, const game *g, const draw_view *view)
 {
-    const round *r = &g->round;
+    const game_round *r = &g->round;
     const draw_point at = draw_view_point(view, cairn_body_position(r->world, r->crane.trolley));
     const int x = at.x >> 4, y = at.y >> 4;
     if (r->crane.load != NULL) {

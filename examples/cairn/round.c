@@ -22,13 +22,14 @@ enum {
 #define STILL CAIRN_F(0.15)      /* m/s: a tall cairn may sway */
 #define WATER CAIRN_F(-1.3)      /* what is lower is lost */
 #define CRANE_CLEARANCE CAIRN_F(1.8)
+#define CRANE_SLACK CAIRN_F(0.25)
 #define TREE_CENTER_Y CAIRN_F(12)
 
 CAIRN_WORLD(yard, BODIES, ARBITERS);
 CAIRN_SPRINGS(ropes, 1);
 CAIRN_QUADTREE(tree, BODIES, CELLS, ENTRIES);
 
-static void place_pieces(round *r)
+static void place_pieces(game_round *r)
 {
     for (int i = 0; i < LEVEL_PIECES; i++)
         r->pieces[i] = cairn_body_id_null();
@@ -38,7 +39,7 @@ static void place_pieces(round *r)
     }
 }
 
-void round_start(round *r, int number, uint32_t seed, int lives)
+void round_start(game_round *r, int number, uint32_t seed, int lives)
 {
     memset(r, 0, sizeof *r);
     /* Without continuous collision: a stone falls less than a third of its height in a step. */
@@ -58,7 +59,7 @@ void round_start(round *r, int number, uint32_t seed, int lives)
     (void)crane_start(&r->crane, r->world, cairn_vec2_of(0, CRANE_CLEARANCE));
 }
 
-static stone *free_stone(round *r)
+static stone *free_stone(game_round *r)
 {
     for (int i = 0; i < LEVEL_STONES; i++)
         if (r->stones[i].state == STONE_NONE)
@@ -66,7 +67,7 @@ static stone *free_stone(round *r)
     return NULL;
 }
 
-bool round_restore_stone(round *r, uint32_t seed, cairn_vec2 position, cairn_angle angle)
+bool round_restore_stone(game_round *r, uint32_t seed, cairn_vec2 position, cairn_angle angle)
 {
     stone *s = free_stone(r);
     if (s == NULL)
@@ -75,7 +76,7 @@ bool round_restore_stone(round *r, uint32_t seed, cairn_vec2 position, cairn_ang
     return stone_place(s, r->world, position, angle, STONE_LANDED);
 }
 
-static void hang_next(round *r)
+static void hang_next(game_round *r)
 {
     stone *s = r->supply > 0 ? free_stone(r) : NULL;
     r->current = NULL;
@@ -92,8 +93,14 @@ static void hang_next(round *r)
     r->events |= EVENT_HUNG;
 }
 
+/* A stone may only hang where it is clear of the cairn. */
+static bool is_crane_up(const game_round *r)
+{
+    return cairn_body_position(r->world, r->crane.trolley).y >= r->crane_height - CRANE_SLACK;
+}
+
 /* The cairn's height, and whether all of it rests. */
-static void measure(round *r)
+static void measure(game_round *r)
 {
     r->top = 0;
     r->standing = r->state != ROUND_FALLING;
@@ -109,7 +116,7 @@ static void measure(round *r)
     }
 }
 
-static void lose_life(round *r, score *s)
+static void lose_life(game_round *r, score *s)
 {
     if (r->mercy > 0)
         return;
@@ -119,7 +126,7 @@ static void lose_life(round *r, score *s)
     score_lost_stone(s);
 }
 
-static void drop_lost_stones(round *r, score *s)
+static void drop_lost_stones(game_round *r, score *s)
 {
     for (int i = 0; i < LEVEL_STONES; i++) {
         stone *lost = &r->stones[i];
@@ -141,7 +148,7 @@ static void drop_lost_stones(round *r, score *s)
 }
 
 /* The falling stone, which came down at this speed, may have landed. */
-static void land(round *r, score *s, cairn_real speed)
+static void land(game_round *r, score *s, cairn_real speed)
 {
     stone *fallen = r->current;
     if (!stone_touches(fallen, r->world) && ++r->wait < LAND_AFTER)
@@ -160,7 +167,7 @@ static void land(round *r, score *s, cairn_real speed)
 }
 
 /* The clock of the line: it runs while the cairn stands above it, and runs back twice as fast while it does not. */
-static void hold_line(round *r)
+static void hold_line(game_round *r)
 {
     if (r->top >= r->level.goal && r->standing) {
         if (r->held == 0)
@@ -171,7 +178,7 @@ static void hold_line(round *r)
     }
 }
 
-static void judge(round *r)
+static void judge(game_round *r)
 {
     if (r->held >= ROUND_HOLD_STEPS) {
         r->state = ROUND_WON;
@@ -182,7 +189,7 @@ static void judge(round *r)
     }
 }
 
-static void move_crane(round *r, round_wish wish)
+static void move_crane(game_round *r, round_wish wish)
 {
     cairn_real height = r->top + CRANE_CLEARANCE;
     if (height < CRANE_CLEARANCE)
@@ -197,7 +204,7 @@ static void move_crane(round *r, round_wish wish)
     }
 }
 
-void round_step(round *r, round_wish wish, score *s)
+void round_step(game_round *r, round_wish wish, score *s)
 {
     r->events = 0;
     move_crane(r, wish);
@@ -211,7 +218,7 @@ void round_step(round *r, round_wish wish, score *s)
         land(r, s, speed);
     drop_lost_stones(r, s);
     measure(r);
-    if (r->state == ROUND_LANDED && ++r->wait >= NEXT_AFTER)
+    if (r->state == ROUND_LANDED && ++r->wait >= NEXT_AFTER && is_crane_up(r))
         hang_next(r);
     if (r->state == ROUND_EMPTY)
         r->wait = (uint16_t)(r->wait + (r->standing ? 4 : 1));
@@ -219,7 +226,7 @@ void round_step(round *r, round_wish wish, score *s)
     judge(r);
 }
 
-uint32_t round_hash(const round *r)
+uint32_t round_hash(const game_round *r)
 {
     uint32_t hash = cairn_world_hash(r->world);
     hash = hash * 31 + r->random.state;

@@ -42,7 +42,7 @@ typedef struct round_wish {
     bool drop;
 } round_wish;
 
-typedef struct round {
+typedef struct game_round {
     cairn_world *world;
     level level;
     int number;
@@ -63,15 +63,15 @@ typedef struct round {
     cairn_vec2 event_at, splash_at;
     cairn_real event_speed;
     uint32_t event_points;
-} round;
+} game_round;
 
 /* The world it is played in; there is one. */
-void round_start(round *r, int number, uint32_t seed, int lives);
+void round_start(game_round *r, int number, uint32_t seed, int lives);
 /* Before the first step of a round: a stone that has landed in an earlier life of the game. */
-bool round_restore_stone(round *r, uint32_t seed, cairn_vec2 position, cairn_angle angle);
+bool round_restore_stone(game_round *r, uint32_t seed, cairn_vec2 position, cairn_angle angle);
 /* 1/60 s. */
-void round_step(round *r, round_wish wish, score *s);
+void round_step(game_round *r, round_wish wish, score *s);
 /* Of all that decides the future. */
-uint32_t round_hash(const round *r);
+uint32_t round_hash(const game_round *r);
 
 #endif

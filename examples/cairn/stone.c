@@ -138,7 +138,7 @@ cairn_angle stone_flat_angle(const stone *s)
             continue;
         longest = x * x + y * y;
         /* The edge runs to the right when it lies below. */
-        angle = -cairn_angle_of((cairn_real)y, (cairn_real)x);
+        angle = (cairn_angle)(0u - (uint32_t)cairn_angle_of((cairn_real)y, (cairn_real)x));
     }
     return angle;
 }

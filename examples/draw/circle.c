@@ -2,7 +2,7 @@
 #include "line.h"
 #include "span.h"
 
-enum { COORDINATE_LIMIT = 1 << 26, WALKED = 1 << 12 };
+enum { COORDINATE_LIMIT = 1 << 26, WALKED = 1 << 12, AXIS_ONE = 1 << 14 };
 
 static int32_t limited(int32_t x)
 {
@@ -77,7 +77,8 @@ void draw_ring(draw_canvas *canvas, draw_point center, int32_t radius, int shade
 
 void draw_mark(draw_canvas *canvas, draw_point center, int32_t radius, draw_point axis, int shade)
 {
-    const int32_t way_x = (int32_t)((int64_t)limited(radius) * axis.x >> 14), way_y = (int32_t)((int64_t)limited(radius) * axis.y >> 14);
+    const int32_t size = radius < AXIS_ONE ? radius : AXIS_ONE; /* a longer mark leaves the frame as well */
+    const int32_t way_x = (int32_t)((int64_t)size * axis.x / AXIS_ONE), way_y = (int32_t)((int64_t)size * axis.y / AXIS_ONE);
     const int32_t x = limited(center.x), y = limited(center.y);
     draw_line(canvas, x >> 4, y >> 4, (x + way_x) >> 4, (y + way_y) >> 4, shade, DRAW_SOLID);
 }

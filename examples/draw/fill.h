@@ -34,7 +34,7 @@ void draw_rimmed(draw_canvas *canvas, const draw_point *corners, int count, int 
 void draw_disc(draw_canvas *canvas, draw_point center, int32_t radius, draw_shades shades);
 /* A circle's outline, one pixel wide. */
 void draw_ring(draw_canvas *canvas, draw_point center, int32_t radius, int shade);
-/* A line from the centre to the rim: which way the circle has turned. `axis` is a vector of length 2^14. */
+/* A line from the centre to the rim: which way the circle has turned. `axis` is a vector of length 2^14 at most. */
 void draw_mark(draw_canvas *canvas, draw_point center, int32_t radius, draw_point axis, int shade);
 
 #endif

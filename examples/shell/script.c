@@ -114,7 +114,8 @@ static bool next_line(script *s, char *text)
         text[length++] = c;
     }
     text[length] = '\0';
-    s->line++;
+    if (any)
+        s->line++;
     return any && s->error == NULL;
 }
 
