@@ -143,6 +143,15 @@ class Probe(unittest.TestCase):
         self.assertEqual(call("clock"), call("clock"))
 
 
+    def test_what_is_kept_outlives_the_image(self) -> None:
+        with tempfile.TemporaryDirectory(prefix="cairn-") as directory:
+            path = Path(directory) / "kept"
+            self.assertEqual(call("keep", str(path)), (0, "keep -1 0 11 0 3 ort 0 -1\n"))
+            self.assertEqual(path.read_bytes(), b"short")
+            self.assertEqual([file.name for file in path.parent.iterdir()], ["kept"])
+            self.assertEqual(call("keep", str(path)), (0, "keep 5 0 11 0 3 ort 0 -1\n"))
+
+
 class Handheld(unittest.TestCase):
     """The display and the buttons of lm3s6965evb."""
 

@@ -139,6 +139,30 @@ static void print_button(void)
     cairn_print_text("\n");
 }
 
+static void print_number(int32_t number)
+{
+    cairn_print_text(" ");
+    cairn_print_i32(number);
+}
+
+/* What is there before, a long text, a short one in its place from an offset on, behind its end, a place that cannot be written. */
+static void try_keep(const char *name)
+{
+    char text[16] = "";
+    cairn_print_text("keep");
+    print_number(cairn_port_load(name, 0, text, sizeof text));
+    print_number(cairn_port_save(name, "a long text", 11));
+    print_number(cairn_port_load(name, 0, text, sizeof text));
+    print_number(cairn_port_save(name, "short", 5));
+    memset(text, 0, sizeof text);
+    print_number(cairn_port_load(name, 2, text, sizeof text));
+    cairn_print_text(" ");
+    cairn_print_text(text);
+    print_number(cairn_port_load(name, 5, text, sizeof text));
+    print_number(cairn_port_save("no/such/folder/file", "x", 1));
+    cairn_print_text("\n");
+}
+
 int main(void)
 {
     cairn_port_init();
@@ -153,6 +177,8 @@ int main(void)
         overflow_stack();
     else if (strcmp(arguments, "stack") == 0)
         print_stack();
+    else if (strncmp(arguments, "keep ", 5) == 0)
+        try_keep(arguments + 5);
     else if (strcmp(arguments, "picture") == 0)
         show_picture();
     else if (strcmp(arguments, "button") == 0)
