@@ -21,8 +21,12 @@ void picture_draw(draw_canvas *canvas, const game *g)
         draw_clear(canvas, 0);
     } else {
         picture_landscape(canvas, g, &view);
-        picture_things(canvas, g, &view);
+        if (g->state != GAME_TITLE)
+            picture_things(canvas, g, &view);
     }
     draw_world(canvas, &view, g->round.world, &g->layers);
-    picture_hud(canvas, g, &view);
+    if (g->state == GAME_TITLE)
+        picture_title(canvas, g);
+    else
+        picture_hud(canvas, g);
 }

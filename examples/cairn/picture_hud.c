@@ -5,18 +5,9 @@
 
 #include <string.h>
 
-enum { BAR_X = 124, BAR_TOP = 20, BAR_BOTTOM = 61, CARD_STEPS = 110, BLINK = 32, MIDDLE = DRAW_WIDTH / 2, LINE_SIZE = 32 };
+enum { BAR_X = 124, BAR_TOP = 20, BAR_BOTTOM = 61, CARD_STEPS = 110, BLINK = 32, MIDDLE = DRAW_WIDTH / 2 };
 
 static bool blinks(const game *g) { return (g->frame & BLINK) != 0; }
-
-/* A text and a number in one line. */
-static const char *with_number(char *line, const char *text, int32_t value, int decimals)
-{
-    const size_t length = strlen(text);
-    memcpy(line, text, length + 1);
-    (void)draw_number(line + length, value, decimals);
-    return line;
-}
 
 static void draw_heart(draw_canvas *canvas, int x, int y)
 {
@@ -38,7 +29,7 @@ static void draw_lives(draw_canvas *canvas, const game *g)
 /* Stones left: a small stone and their number. */
 static void draw_supply(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     const int left = g->round.supply + (g->round.state == ROUND_HANGING);
     const draw_point icon[5] = {{107 * DRAW_SUB, 10 * DRAW_SUB}, {109 * DRAW_SUB, 8 * DRAW_SUB}, {112 * DRAW_SUB, 8 * DRAW_SUB},
                                  {113 * DRAW_SUB, 10 * DRAW_SUB}, {111 * DRAW_SUB, 12 * DRAW_SUB}};
@@ -62,7 +53,7 @@ static void draw_altimeter(draw_canvas *canvas, const game *g)
 
 static void draw_height(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     const int32_t decimetres = (int32_t)cairn_real_floor(g->round.top * 10), goal = (int32_t)cairn_real_floor(g->round.level.goal * 10 + CAIRN_F(0.5));
     int length = draw_number(text, decimetres, 1);
     text[length++] = '/';
@@ -74,13 +65,13 @@ static void draw_height(draw_canvas *canvas, const game *g)
 
 static void draw_points(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     draw_number(text, (int32_t)g->score.points, 0);
     draw_label(canvas, 1, 1, text, 15);
     if (g->score.streak > 1)
         {
         const int x = 4 + draw_text_width(text);
-        draw_label(canvas, x, 1, with_number(text, "X", g->score.streak, 0), 10);
+        draw_label(canvas, x, 1, picture_with_number(text, "X", g->score.streak, 0), 10);
     }
 }
 
@@ -98,65 +89,40 @@ static void draw_hold(draw_canvas *canvas, const game *g)
 
 static void draw_card(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     if (g->since > CARD_STEPS || g->state != GAME_PLAY)
         return;
     const int slide = g->since < 10 ? (int)(10 - g->since) * 8 : g->since > CARD_STEPS - 10 ? -(int)(g->since + 10 - CARD_STEPS) * 8 : 0;
     const draw_shades shades = {15, 9};
     const int width = (int)strlen(g->round.level.name) * 8 - 2;
     draw_tint(canvas, 0, 37, DRAW_WIDTH, 23, -4);
-    draw_centered(canvas, MIDDLE + slide, 39, with_number(text, "LEVEL ", g->round.number + 1, 0), 12);
+    draw_centered(canvas, MIDDLE + slide, 39, picture_with_number(text, "LEVEL ", g->round.number + 1, 0), 12);
     draw_big_text(canvas, MIDDLE - width / 2 - slide, 47, g->round.level.name, 2, shades);
-}
-
-static void draw_line_of_menu(draw_canvas *canvas, const game *g, int index, int y, const char *text)
-{
-    const bool chosen = g->menu == index;
-    draw_centered(canvas, MIDDLE, y, text, chosen ? 15 : 8);
-    if (chosen)
-        draw_label(canvas, MIDDLE - draw_text_width(text) / 2 - 7 - (int)(g->frame >> 3 & 1), y, ">", 15);
-}
-
-static void draw_title(draw_canvas *canvas, const game *g)
-{
-    char text[LINE_SIZE];
-    const draw_shades shades = {15, 7};
-    draw_tint(canvas, 0, 0, DRAW_WIDTH, DRAW_HEIGHT, -3);
-    draw_big_text(canvas, MIDDLE - 38, 7, "CAIRN", 4, shades);
-    draw_row(canvas, MIDDLE - 38, MIDDLE + 38, 30, 6);
-    if (g->can_continue) {
-        draw_line_of_menu(canvas, g, 0, 39, with_number(text, "CONTINUE LEVEL ", g->kept.number + 1, 0));
-        draw_line_of_menu(canvas, g, 1, 47, "NEW GAME");
-    } else if (blinks(g)) {
-        draw_centered(canvas, MIDDLE, 42, "PRESS SELECT", 15);
-    }
-    draw_centered(canvas, MIDDLE, 33, "STACK. BALANCE. BREATHE.", 10);
-    draw_centered(canvas, MIDDLE, 57, with_number(text, "BEST ", (int32_t)g->score.best, 0), 11);
 }
 
 static void draw_won(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     const draw_shades shades = {15, 10};
     draw_tint(canvas, 0, 8, DRAW_WIDTH, 40, -4);
     draw_big_text(canvas, MIDDLE - 35, 11, "IT STANDS", 2, shades);
-    draw_centered(canvas, MIDDLE, 26, with_number(text, "BONUS ", (int32_t)g->bonus, 0), 14);
-    draw_centered(canvas, MIDDLE, 33, with_number(text, "SCORE ", (int32_t)g->score.points, 0), 15);
+    draw_centered(canvas, MIDDLE, 26, picture_with_number(text, "BONUS ", (int32_t)g->bonus, 0), 14);
+    draw_centered(canvas, MIDDLE, 33, picture_with_number(text, "SCORE ", (int32_t)g->score.points, 0), 15);
     if (blinks(g))
         draw_centered(canvas, MIDDLE, 41, "SELECT: NEXT LEVEL", 12);
 }
 
 static void draw_over(draw_canvas *canvas, const game *g)
 {
-    char text[LINE_SIZE];
+    char text[PICTURE_LINE];
     const draw_shades shades = {14, 6};
     const bool fell = g->round.lives == 0;
     draw_tint(canvas, 0, 6, DRAW_WIDTH, 53, -6);
     draw_big_text(canvas, fell ? MIDDLE - 31 : MIDDLE - 35, 9, fell ? "IT FELL." : "NO STONES", 2, shades);
-    draw_centered(canvas, MIDDLE, 24, with_number(text, "SCORE ", (int32_t)g->score.points, 0), 15);
-    draw_centered(canvas, MIDDLE, 31, with_number(text, "BEST ", (int32_t)g->score.best, 0), g->score.points == g->score.best ? 15 : 10);
-    draw_line_of_menu(canvas, g, 0, 42, "ONCE MORE");
-    draw_line_of_menu(canvas, g, 1, 50, "TITLE");
+    draw_centered(canvas, MIDDLE, 24, picture_with_number(text, "SCORE ", (int32_t)g->score.points, 0), 15);
+    draw_centered(canvas, MIDDLE, 31, picture_with_number(text, "BEST ", (int32_t)g->score.best, 0), g->score.points == g->score.best ? 15 : 10);
+    picture_menu_line(canvas, g, 0, MIDDLE, 42, "ONCE MORE");
+    picture_menu_line(canvas, g, 1, MIDDLE, 50, "TITLE");
 }
 
 static void draw_pause(draw_canvas *canvas, const game *g)
@@ -164,19 +130,14 @@ static void draw_pause(draw_canvas *canvas, const game *g)
     const draw_shades shades = {15, 10};
     draw_tint(canvas, 0, 0, DRAW_WIDTH, DRAW_HEIGHT, -6);
     draw_big_text(canvas, MIDDLE - 19, 8, "PAUSE", 2, shades);
-    draw_line_of_menu(canvas, g, 0, 26, "RESUME");
-    draw_line_of_menu(canvas, g, 1, 34, "RETRY");
-    draw_line_of_menu(canvas, g, 2, 42, "TITLE");
+    picture_menu_line(canvas, g, 0, MIDDLE, 26, "RESUME");
+    picture_menu_line(canvas, g, 1, MIDDLE, 34, "RETRY");
+    picture_menu_line(canvas, g, 2, MIDDLE, 42, "TITLE");
     draw_centered(canvas, MIDDLE, 56, "HOLD SELECT + PAD: LAYERS", 7);
 }
 
-void picture_hud(draw_canvas *canvas, const game *g, const draw_view *view)
+void picture_hud(draw_canvas *canvas, const game *g)
 {
-    (void)view;
-    if (g->state == GAME_TITLE) {
-        draw_title(canvas, g);
-        return;
-    }
     draw_altimeter(canvas, g);
     draw_height(canvas, g);
     draw_lives(canvas, g);

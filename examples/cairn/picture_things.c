@@ -1,6 +1,7 @@
 /* Ledges, the balloon and its rope, stones, dust: see picture.h. */
 #include "picture.h"
 
+#include "body_view.h"
 #include "line.h"
 #include "text.h"
 
@@ -16,19 +17,6 @@ static bool is_off(draw_point p)
 static const draw_shades piece_shades[] = {
     [LOOK_ROCK] = {8, 3}, [LOOK_GRASS] = {7, 2}, [LOOK_SNOW] = {8, 3}, [LOOK_ICE] = {13, 6}, [LOOK_PLANK] = {11, 7}, [LOOK_PIVOT] = {7, 4},
 };
-
-static void box_corners(const game *g, int index, draw_point *out, const draw_view *view)
-{
-    static const int8_t signs[BOX_CORNERS][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    const level_piece *piece = &g->round.level.pieces[index];
-    const cairn_vec2 at = cairn_body_position(g->round.world, g->round.pieces[index]), size = piece->model->shape->size;
-    cairn_unit c, s;
-    cairn_angle_rotation(cairn_body_angle(g->round.world, g->round.pieces[index]), &c, &s);
-    for (int i = 0; i < BOX_CORNERS; i++) {
-        const cairn_real x = size.x / 2 * signs[i][0], y = size.y / 2 * signs[i][1];
-        out[i] = draw_view_point(view, cairn_vec2_of(at.x + cairn_dot32(x, c, -y, s, 30), at.y + cairn_dot32(x, s, y, c, 30)));
-    }
-}
 
 /* What grows or lies on a ledge; its corners 3 and 2 are the upper ones. */
 static void draw_cover(draw_canvas *canvas, const draw_point *corners, level_look look)
@@ -61,7 +49,7 @@ static void draw_piece(draw_canvas *canvas, const game *g, int index, const draw
 {
     const level_look look = g->round.level.pieces[index].look;
     draw_point corners[BOX_CORNERS];
-    box_corners(g, index, corners, view);
+    draw_box_corners(view, g->round.world, g->round.pieces[index], corners);
     if (look == LOOK_PIVOT) {
         const draw_point triangle[3] = {{(corners[2].x + corners[3].x) / 2, corners[3].y}, {corners[0].x - 64, corners[0].y}, {corners[1].x + 64, corners[1].y}};
         draw_rimmed(canvas, triangle, 3, 1, piece_shades[look]);

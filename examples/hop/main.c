@@ -1,4 +1,5 @@
 /* The platformer: an example to copy from. One-way ledges, a moving platform, coins as sensors, a hero who cannot turn over. */
+#include "body_view.h"
 #include "debug_view.h"
 #include "hop.h"
 #include "line.h"
@@ -23,21 +24,11 @@ static void step(uint32_t buttons)
 
 static uint32_t hash(void) { return hop_hash(&the_game); }
 
-static void draw_box_body(draw_canvas *canvas, const draw_view *view, cairn_body_id body, draw_shades shades)
-{
-    static const int8_t signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    const cairn_vec2 size = cairn_body_shape(the_game.world, body)->size;
-    draw_point corners[4];
-    for (int i = 0; i < 4; i++)
-        corners[i] = draw_view_point(view, cairn_body_to_world(the_game.world, body, cairn_vec2_of(size.x / 2 * signs[i][0], size.y / 2 * signs[i][1])));
-    draw_rimmed(canvas, corners, 4, 1, shades);
-}
-
 static void draw_ground(draw_canvas *canvas, const draw_view *view, cairn_body_id body)
 {
     const draw_shades earth = {8, 3};
     const cairn_vec2 at = cairn_body_position(the_game.world, body), size = cairn_body_shape(the_game.world, body)->size;
-    draw_box_body(canvas, view, body, earth);
+    draw_box_body(canvas, view, the_game.world, body, 1, earth);
     const draw_point a = draw_view_point(view, cairn_vec2_of(at.x - size.x / 2, at.y + size.y / 2));
     const draw_point b = draw_view_point(view, cairn_vec2_of(at.x + size.x / 2, at.y));
     draw_row(canvas, a.x >> 4, b.x >> 4, a.y >> 4, 13);
@@ -115,10 +106,10 @@ static void draw(draw_canvas *canvas)
         for (int i = 0; i < HOP_GROUNDS; i++)
             draw_ground(canvas, &view, the_game.grounds[i]);
         for (int i = 0; i < HOP_LEDGES; i++)
-            draw_box_body(canvas, &view, the_game.ledges[i], (the_game.solid >> i & 1) != 0 ? wood : open);
-        draw_box_body(canvas, &view, the_game.platform, metal);
+            draw_box_body(canvas, &view, the_game.world, the_game.ledges[i], 1, (the_game.solid >> i & 1) != 0 ? wood : open);
+        draw_box_body(canvas, &view, the_game.world, the_game.platform, 1, metal);
         for (int i = 0; i < HOP_CRATES; i++)
-            draw_box_body(canvas, &view, the_game.crates[i], crate);
+            draw_box_body(canvas, &view, the_game.world, the_game.crates[i], 1, crate);
         draw_coins(canvas, &view);
         draw_hero(canvas, &view);
     }

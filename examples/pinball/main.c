@@ -1,4 +1,5 @@
 /* Pinball: an example to copy from. A fast ball with continuous collision, flippers that are driven and cannot leave their place, bumpers, sensors. */
+#include "body_view.h"
 #include "debug_view.h"
 #include "line.h"
 #include "pinball.h"
@@ -22,17 +23,6 @@ static void step(uint32_t buttons)
 
 static uint32_t hash(void) { return pinball_hash(&the_game); }
 
-static void draw_box_body(draw_canvas *canvas, const draw_view *view, cairn_body_id body, draw_shades shades)
-{
-    static const int8_t signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    const cairn_vec2 size = cairn_body_shape(the_game.table.world, body)->size;
-    draw_point corners[4];
-    for (int i = 0; i < 4; i++)
-        corners[i] = draw_view_point(view, cairn_body_to_world(the_game.table.world, body,
-                                                               cairn_vec2_of(size.x / 2 * signs[i][0], size.y / 2 * signs[i][1])));
-    draw_rimmed(canvas, corners, 4, 1, shades);
-}
-
 static void draw_part(draw_canvas *canvas, const draw_view *view, int index)
 {
     const table *t = &the_game.table;
@@ -41,7 +31,7 @@ static void draw_part(draw_canvas *canvas, const draw_view *view, int index)
     const bool shines = the_game.glow[index] > 0;
     if (shape->kind != &cairn_circle_class) {
         const draw_shades wall = {9, 4}, kicker = {shines ? 15 : 12, shines ? 14 : 7};
-        draw_box_body(canvas, view, body, t->kinds[index] == PART_SLING ? kicker : wall);
+        draw_box_body(canvas, view, the_game.table.world, body, 1, t->kinds[index] == PART_SLING ? kicker : wall);
         return;
     }
     const draw_point at = draw_view_point(view, cairn_body_position(t->world, body));
@@ -91,8 +81,8 @@ static void draw(draw_canvas *canvas)
         for (int i = t->part_count - 1; i >= 0; i--)
             draw_part(canvas, &view, i);
         const draw_shades flipper = {15, 11}, ball = {15, 8};
-        draw_box_body(canvas, &view, t->flippers[0], flipper);
-        draw_box_body(canvas, &view, t->flippers[1], flipper);
+        draw_box_body(canvas, &view, the_game.table.world, t->flippers[0], 1, flipper);
+        draw_box_body(canvas, &view, the_game.table.world, t->flippers[1], 1, flipper);
         draw_part(canvas, &view, 6); /* the guides hide the flippers' other halves */
         draw_part(canvas, &view, 7);
         const draw_point at = draw_view_point(&view, cairn_body_position(t->world, t->ball));
