@@ -14,6 +14,7 @@ enum {
     SSI_ENABLE = 2,
     SSI_PRESCALE_1_MHZ = 50,
     STATUS_RECEIVED = 1 << 2,
+    STATUS_BUSY = 1 << 4,
     FIFO_DEPTH = 8,
     PIN_DATA = 1 << 7 /* PC7: low for a command, high for data */
 };
@@ -44,20 +45,29 @@ static const uint8_t frame_commands[] = {0x15, 0x00, 0x3F, 0x75, 0x00, 0x3F};
 
 static uint32_t is_started;
 
-/* Sends as many bytes as the FIFO holds, then takes the answers out: with a full receive FIFO the sender sticks. */
+/* As many bytes as the FIFO holds. When all have gone their answers are there, and are taken out: with a full receive FIFO the
+   sender sticks. Unrolled: 4 instructions a byte, and not 12. */
+static void send_burst(const uint8_t *bytes)
+{
+#pragma GCC unroll 8
+    for (int i = 0; i < FIFO_DEPTH; i++)
+        CAIRN_REGISTER(SSI_DATA) = bytes[i];
+    while ((CAIRN_REGISTER(SSI_STATUS) & STATUS_BUSY) != 0) {
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < FIFO_DEPTH; i++)
+        (void)CAIRN_REGISTER(SSI_DATA);
+}
+
 static void send(const uint8_t *bytes, uint32_t count)
 {
-    while (count > 0) {
-        const uint32_t burst = count < FIFO_DEPTH ? count : FIFO_DEPTH;
-        for (uint32_t i = 0; i < burst; i++)
-            CAIRN_REGISTER(SSI_DATA) = bytes[i];
-        for (uint32_t i = 0; i < burst; i++) {
-            while ((CAIRN_REGISTER(SSI_STATUS) & STATUS_RECEIVED) == 0) {
-            }
-            (void)CAIRN_REGISTER(SSI_DATA);
+    for (; count >= FIFO_DEPTH; count -= FIFO_DEPTH, bytes += FIFO_DEPTH)
+        send_burst(bytes);
+    for (; count > 0; count--) {
+        CAIRN_REGISTER(SSI_DATA) = *bytes++;
+        while ((CAIRN_REGISTER(SSI_STATUS) & STATUS_RECEIVED) == 0) {
         }
-        bytes += burst;
-        count -= burst;
+        (void)CAIRN_REGISTER(SSI_DATA);
     }
 }
 
