@@ -21,11 +21,11 @@ bool crane_start(crane *c, cairn_world *world, cairn_vec2 position)
     return !cairn_body_id_is_null(c->trolley);
 }
 
-bool crane_hang(crane *c, cairn_world *world, stone *s)
+bool crane_hang(crane *c, cairn_world *world, stone *s, cairn_angle angle)
 {
     cairn_vec2 position = cairn_body_position(world, c->trolley);
     position.y -= CRANE_ROPE;
-    if (!stone_place(s, world, position, 0, STONE_HANGING))
+    if (!stone_place(s, world, position, angle, STONE_HANGING))
         return false;
     c->hung = s->model;
     c->hung.damping = HANG_DAMPING;

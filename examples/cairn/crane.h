@@ -24,8 +24,8 @@ typedef struct crane_wish {
 
 /* Put the balloon there. False if the world has no room. */
 bool crane_start(crane *c, cairn_world *world, cairn_vec2 position);
-/* Hang a stone on it; false if there is no room. */
-bool crane_hang(crane *c, cairn_world *world, stone *s);
+/* Hang a stone on it, turned so; false if there is no room. */
+bool crane_hang(crane *c, cairn_world *world, stone *s, cairn_angle angle);
 /* Move, rise or sink towards a height, turn the load, and let the wind push it. */
 void crane_step(crane *c, cairn_world *world, crane_wish wish, cairn_real height, cairn_real wind);
 /* Let go: the stone falls from now on. Null if nothing hangs. */

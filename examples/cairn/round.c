@@ -15,6 +15,9 @@ enum {
     NEXT_AFTER = 24,    /* steps from a landing to the next stone */
     LAND_AFTER = 240,   /* what falls for longer has landed, wherever it is */
     GIVE_UP_AFTER = 800, /* steps without stones while something moves; in a quarter of that if all is at rest */
+    TILT_FIRST = 15, /* degrees */
+    TILT_A_LEVEL = 8,
+    TILT_MOST = 80,
     MERCY = 90          /* steps in which what falls costs no further life */
 };
 
@@ -76,6 +79,14 @@ bool round_restore_stone(game_round *r, uint32_t seed, cairn_vec2 position, cair
     return stone_place(s, r->world, position, angle, STONE_LANDED);
 }
 
+/* How a stone hangs: in later levels it has to be turned farther. */
+static cairn_angle random_tilt(game_round *r)
+{
+    const int most = TILT_FIRST + TILT_A_LEVEL * r->number;
+    const int tilt = most > TILT_MOST ? TILT_MOST : most;
+    return random_between(&r->random, -tilt, tilt) * CAIRN_DEGREES(1);
+}
+
 static void hang_next(game_round *r)
 {
     stone *s = r->supply > 0 ? free_stone(r) : NULL;
@@ -85,7 +96,7 @@ static void hang_next(game_round *r)
     if (s == NULL)
         return;
     stone_shape(s, random_next(&r->random), &r->level.style);
-    if (!crane_hang(&r->crane, r->world, s))
+    if (!crane_hang(&r->crane, r->world, s, random_tilt(r)))
         return;
     r->supply--;
     r->current = s;

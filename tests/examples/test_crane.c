@@ -135,11 +135,11 @@ void test_dropping_cuts_the_rope_and_gives_the_stone_back(void)
 void test_a_stone_hangs_a_rope_below(void)
 {
     cairn_body_position_ExpectAndReturn(&world, trolley, cairn_vec2_of(CAIRN_F(1), CAIRN_F(5)));
-    cairn_body_create_ExpectAndReturn(&world, NULL, cairn_vec2_of(CAIRN_F(1), CAIRN_F(4)), 0, body);
+    cairn_body_create_ExpectAndReturn(&world, NULL, cairn_vec2_of(CAIRN_F(1), CAIRN_F(4)), 5, body);
     cairn_body_create_IgnoreArg_model();
     cairn_spring_tune_IgnoreAndReturn(CAIRN_OK);
     cairn_spring_create_IgnoreAndReturn(rope);
-    TEST_ASSERT_TRUE(crane_hang(&c, &world, &s));
+    TEST_ASSERT_TRUE(crane_hang(&c, &world, &s, 5));
     TEST_ASSERT_EQUAL(STONE_HANGING, s.state);
     TEST_ASSERT_EQUAL_PTR(&s, c.load);
 }
@@ -148,7 +148,7 @@ void test_without_room_for_a_body_nothing_hangs(void)
 {
     cairn_body_position_ExpectAndReturn(&world, trolley, cairn_vec2_of(0, 0));
     cairn_body_create_IgnoreAndReturn(cairn_body_id_null());
-    TEST_ASSERT_FALSE(crane_hang(&c, &world, &s));
+    TEST_ASSERT_FALSE(crane_hang(&c, &world, &s, 5));
     TEST_ASSERT_NULL(c.load);
 }
 
@@ -159,6 +159,6 @@ void test_without_room_for_a_rope_the_stone_is_taken_out_again(void)
     cairn_spring_tune_IgnoreAndReturn(CAIRN_OK);
     cairn_spring_create_IgnoreAndReturn(cairn_spring_id_null());
     cairn_body_destroy_ExpectAndReturn(&world, body, CAIRN_OK);
-    TEST_ASSERT_FALSE(crane_hang(&c, &world, &s));
+    TEST_ASSERT_FALSE(crane_hang(&c, &world, &s, 5));
     TEST_ASSERT_EQUAL(STONE_NONE, s.state);
 }
