@@ -52,9 +52,9 @@ static void build_tower(cairn_world *world)
 static void build_pyramid(cairn_world *world)
 {
     put_ground(world);
-    for (int row = 0; row < 7; row++)
-        for (int i = 0; i < 7 - row; i++)
-            (void)put(world, &brick, (2 * i - 6 + row) * CAIRN_F(0.47), CAIRN_F(0.3) + row * CAIRN_F(0.62));
+    for (int row = 0; row < 6; row++)
+        for (int i = 0; i < 6 - row; i++)
+            (void)put(world, &brick, (2 * i - 5 + row) * CAIRN_F(0.47), CAIRN_F(0.3) + row * CAIRN_F(0.62));
 }
 
 /* Two masses on springs, one under the other, soft to stiff. Both sides have Cairn's springs, which are solved implicitly; in the slides' own the stiff ones burst. */

@@ -142,7 +142,6 @@ class Probe(unittest.TestCase):
     def test_clock_is_the_same_in_every_run(self) -> None:
         self.assertEqual(call("clock"), call("clock"))
 
-
     def test_what_is_kept_outlives_the_image(self) -> None:
         with tempfile.TemporaryDirectory(prefix="cairn-") as directory:
             path = Path(directory) / "kept"
