@@ -79,6 +79,20 @@ bool script_read_line(const char *text, uint32_t *frame, uint32_t *held, bool *e
     return true;
 }
 
+void script_names(char *names, uint32_t held)
+{
+    const size_t count = sizeof button_names / sizeof button_names[0];
+    *names = '\0';
+    for (size_t i = 1; i < count; i++)
+        if ((held & button_names[i].button) != 0) {
+            if (*names != '\0')
+                strcat(names, "+");
+            strcat(names, button_names[i].name);
+        }
+    if (*names == '\0')
+        strcat(names, button_names[0].name);
+}
+
 /* The file's next character; false at its end or at an error. */
 static bool next_character(script *s, char *c)
 {

@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { SCRIPT_CHUNK = 256, SCRIPT_LINE = 80 };
+enum { SCRIPT_CHUNK = 256, SCRIPT_LINE = 80, SCRIPT_NAMES = 32 };
 
 typedef struct script {
     const char *name;   /* null: no script, no button is ever held */
@@ -34,6 +34,9 @@ void script_open(script *s, const char *name);
 
 /* The buttons held in a frame; frames are asked for in rising order. 0 once there is an error. */
 uint32_t script_buttons(script *s, uint32_t frame);
+
+/* The names of the buttons held, as a script has them, in a buffer of SCRIPT_NAMES. */
+void script_names(char *names, uint32_t held);
 
 /* One line of a script: false with `error` set if it is bad. A line without anything sets `empty`. */
 bool script_read_line(const char *text, uint32_t *frame, uint32_t *held, bool *empty, const char **error);

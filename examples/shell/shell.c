@@ -117,6 +117,32 @@ static int complain(const shell_app *app, const char *what, uint32_t line, const
     return BAD_CALL;
 }
 
+/* A line of a script, where the buttons differ from those of the frame before. */
+static void record(uint32_t frame, uint32_t buttons)
+{
+    static uint32_t before;
+    char names[SCRIPT_NAMES];
+    if (frame == 1)
+        before = 0;
+    if (buttons == before)
+        return;
+    before = buttons;
+    script_names(names, buttons);
+    cairn_print_text("held ");
+    cairn_print_u32(frame);
+    cairn_print_text(" ");
+    cairn_print_text(names);
+    cairn_print_text("\n");
+}
+
+static uint32_t buttons_of(uint32_t frame)
+{
+    const uint32_t buttons = words.input[0] != '\0' ? script_buttons(&input, frame) : cairn_port_buttons();
+    if (words.record && input.error == NULL)
+        record(frame, buttons);
+    return buttons;
+}
+
 /* One step and its picture, measured. */
 static void play_frame(const shell_app *app, uint32_t frame, uint32_t buttons)
 {
@@ -129,18 +155,17 @@ static void play_frame(const shell_app *app, uint32_t frame, uint32_t buttons)
     note_cost(frame, stepped - begin, drawn - stepped, cairn_port_clock() - drawn);
 }
 
-static int run_counted(const shell_app *app)
+/* What is asked for of a frame that has been played. */
+static void report(const shell_app *app, uint32_t frame)
 {
-    for (uint32_t frame = 1; frame <= words.frames; frame++) {
-        const uint32_t buttons = words.input[0] != '\0' ? script_buttons(&input, frame) : cairn_port_buttons();
-        if (input.error != NULL)
-            return complain(app, words.input, input.line, input.error);
-        play_frame(app, frame, buttons);
-        if (words.every != 0 && frame % words.every == 0)
-            print_hashes("frame ", frame, app);
-        if (words.dump != 0 && frame % words.dump == 0)
-            print_picture(frame);
-    }
+    if (words.every != 0 && frame % words.every == 0)
+        print_hashes("frame ", frame, app);
+    if (words.dump != 0 && frame % words.dump == 0)
+        print_picture(frame);
+}
+
+static int finish(const shell_app *app)
+{
     print_hashes("end ", words.frames, app);
     if (words.cost)
         print_cost();
@@ -148,27 +173,42 @@ static int run_counted(const shell_app *app)
     return 0;
 }
 
-/* At 60 steps a second, for ever: a picture where there is time for it. */
+static int run_counted(const shell_app *app)
+{
+    for (uint32_t frame = 1; frame <= words.frames; frame++) {
+        const uint32_t buttons = buttons_of(frame);
+        if (input.error != NULL)
+            return complain(app, words.input, input.line, input.error);
+        play_frame(app, frame, buttons);
+        report(app, frame);
+    }
+    return finish(app);
+}
+
+/* At 60 steps a second: a picture where there is time for it, and of the last frame. */
 static int run_paced(const shell_app *app)
 {
     const uint32_t period = cairn_port_clock_rate() / STEPS_A_SECOND;
     uint32_t due = cairn_port_clock(), undrawn = 0;
-    for (uint32_t frame = 1;; frame++) {
-        const uint32_t buttons = words.input[0] != '\0' ? script_buttons(&input, frame) : cairn_port_buttons();
+    for (uint32_t frame = 1; !words.has_frames || frame <= words.frames; frame++) {
+        const uint32_t buttons = buttons_of(frame);
         if (input.error != NULL)
             return complain(app, words.input, input.line, input.error);
         app->step(buttons);
-        if (cairn_port_clock() - due < period || ++undrawn >= DRAWN_AT_LEAST) {
+        const bool is_last = words.has_frames && frame == words.frames;
+        if (cairn_port_clock() - due < period || ++undrawn >= DRAWN_AT_LEAST || is_last) {
             app->draw(&canvas);
             cairn_port_display(canvas.pixels);
             undrawn = 0;
         }
+        report(app, frame);
         due += period;
         if ((int32_t)(cairn_port_clock() - due) > (int32_t)(LATE_FRAMES * period))
             due = cairn_port_clock();
         while ((int32_t)(cairn_port_clock() - due) < 0) {
         }
     }
+    return finish(app);
 }
 
 int shell_run(const shell_app *app)
@@ -183,5 +223,5 @@ int shell_run(const shell_app *app)
     app->start(words.has_seed ? words.seed : cairn_port_seed());
     if (app->resume != NULL && words.keep[0] != '\0')
         app->resume(words.keep);
-    return words.has_frames ? run_counted(app) : run_paced(app);
+    return words.has_frames && !words.paced ? run_counted(app) : run_paced(app);
 }

@@ -9,6 +9,8 @@
  *     every=K      a line each K frames: the frame's number, the game's hash and the picture's
  *     dump=K       the picture each K frames, as 64 lines of 128 hexadecimal digits
  *     cost         at the end the worst frame, in units of cairn_port_clock(): physics, drawing, flush
+ *     record       a line `held FRAME BUTTONS` where the buttons change: without its first word it is a line of a script
+ *     paced        at 60 frames a second even with frames=N; `every` and `dump` then show the last picture that was drawn
  */
 #ifndef SHELL_H
 #define SHELL_H

@@ -42,6 +42,18 @@ static const char *read_name(const char *text, char *name)
     return length == 0 ? "a file's name is missing after '='" : NULL;
 }
 
+static bool is_word(const char *word, const char *name)
+{
+    const char *rest = after(word, name);
+    return rest != NULL && is_end(*rest);
+}
+
+static const char *set(bool *given)
+{
+    *given = true;
+    return NULL;
+}
+
 static const char *read_word(shell_words *words, const char *word)
 {
     const char *value;
@@ -58,11 +70,13 @@ static const char *read_word(shell_words *words, const char *word)
         return read_name(value, words->input);
     if ((value = after(word, "keep=")) != NULL)
         return read_name(value, words->keep);
-    if ((value = after(word, "cost")) != NULL && is_end(*value)) {
-        words->cost = true;
-        return NULL;
-    }
-    return "the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost";
+    if (is_word(word, "cost"))
+        return set(&words->cost);
+    if (is_word(word, "record"))
+        return set(&words->record);
+    if (is_word(word, "paced"))
+        return set(&words->paced);
+    return "the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost record paced";
 }
 
 const char *words_read(shell_words *words, const char *text)

@@ -9,7 +9,7 @@ enum { WORDS_NAME = 120 };
 
 typedef struct shell_words {
     uint32_t frames, every, dump, seed;
-    bool has_frames, has_seed, cost;
+    bool has_frames, has_seed, cost, record, paced;
     char input[WORDS_NAME + 1], keep[WORDS_NAME + 1]; /* "": not given */
 } shell_words;
 

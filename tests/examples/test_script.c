@@ -109,18 +109,33 @@ void test_bad_scripts_are_told_by_line(void)
     expect_error(NULL, 0, "cannot be read");
 }
 
+void test_names_are_what_a_script_reads(void)
+{
+    char names[SCRIPT_NAMES];
+    for (uint32_t buttons = 0; buttons < 32; buttons++) {
+        char line[SCRIPT_NAMES + 2] = "7 ";
+        uint32_t frame = 0, held = 99;
+        bool empty;
+        const char *error;
+        script_names(names, buttons);
+        strcat(line, names);
+        TEST_ASSERT_TRUE(script_read_line(line, &frame, &held, &empty, &error));
+        TEST_ASSERT_EQUAL(buttons, held);
+    }
+}
+
 void test_words_are_read(void)
 {
     shell_words words;
-    TEST_ASSERT_NULL(words_read(&words, "  frames=600 every=60 dump=7 seed=0 input=a.txt keep=b.sav  cost "));
-    TEST_ASSERT_TRUE(words.has_frames && words.has_seed && words.cost);
+    TEST_ASSERT_NULL(words_read(&words, "  frames=600 every=60 dump=7 seed=0 input=a.txt keep=b.sav  cost record paced "));
+    TEST_ASSERT_TRUE(words.has_frames && words.has_seed && words.cost && words.record && words.paced);
     TEST_ASSERT_EQUAL(600, words.frames);
     TEST_ASSERT_EQUAL(60, words.every);
     TEST_ASSERT_EQUAL(7, words.dump);
     TEST_ASSERT_EQUAL_STRING("a.txt", words.input);
     TEST_ASSERT_EQUAL_STRING("b.sav", words.keep);
     TEST_ASSERT_NULL(words_read(&words, ""));
-    TEST_ASSERT_FALSE(words.has_frames || words.has_seed || words.cost);
+    TEST_ASSERT_FALSE(words.has_frames || words.has_seed || words.cost || words.record || words.paced);
 }
 
 void test_bad_words_are_told(void)
@@ -133,6 +148,6 @@ void test_bad_words_are_told(void)
     TEST_ASSERT_EQUAL_STRING("a number is too large", words_read(&words, "seed=4294967296"));
     TEST_ASSERT_EQUAL_STRING("a file's name is missing after '='", words_read(&words, "input= cost"));
     TEST_ASSERT_EQUAL_STRING("a file's name is longer than 120 characters", words_read(&words, name));
-    TEST_ASSERT_EQUAL_STRING("the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost", words_read(&words, "costs"));
-    TEST_ASSERT_EQUAL_STRING("the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost", words_read(&words, "cost help"));
+    TEST_ASSERT_EQUAL_STRING("the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost record paced", words_read(&words, "costs"));
+    TEST_ASSERT_EQUAL_STRING("the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost record paced", words_read(&words, "cost help"));
 }

@@ -9,7 +9,7 @@
 
 static char console[12000];
 static const char *words, *file;
-static uint32_t clock_now, started_with, steps, draws, last_buttons;
+static uint32_t clock_now, clock_step, started_with, steps, draws, last_buttons;
 static const char *resumed;
 
 static void start(uint32_t seed) { started_with = seed; }
@@ -48,7 +48,7 @@ static const char *give_words(int calls)
 static uint32_t give_clock(int calls)
 {
     (void)calls;
-    return clock_now;
+    return clock_now += clock_step;
 }
 
 static int32_t load(const char *name, uint32_t offset, void *data, uint32_t size, int calls)
@@ -64,6 +64,7 @@ static int32_t load(const char *name, uint32_t offset, void *data, uint32_t size
 void setUp(void)
 {
     console[0] = '\0';
+    clock_step = 0;
     steps = draws = last_buttons = started_with = 0;
     resumed = NULL;
     file = NULL;
@@ -126,7 +127,7 @@ void test_a_script_that_is_not_there_is_told(void)
 void test_a_bad_word_is_told(void)
 {
     TEST_ASSERT_EQUAL(2, run("frame=3"));
-    TEST_ASSERT_EQUAL_STRING("game: the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost\n", console);
+    TEST_ASSERT_EQUAL_STRING("game: the words are frames=N every=K dump=K seed=N input=FILE keep=FILE cost record paced\n", console);
 }
 
 void test_a_picture_is_dumped_as_digits(void)
@@ -143,6 +144,34 @@ void test_the_cost_is_told_by_its_parts(void)
     TEST_ASSERT_EQUAL(0, run("frames=2 cost"));
     TEST_ASSERT_NOT_NULL(strstr(console, "cost worst 1100 in frame 1 "));
     TEST_ASSERT_NOT_NULL(strstr(console, " worst step 100 drawing 1000 flush 0 stack 99\n"));
+}
+
+void test_what_is_held_is_recorded_as_a_script(void)
+{
+    file = "2 left\n4 left+select\n5 none\n";
+    TEST_ASSERT_EQUAL(0, run("frames=6 input=play record"));
+    TEST_ASSERT_NOT_NULL(strstr(console, "held 2 left\nheld 4 left+select\nheld 5 none\nend 6 "));
+}
+
+void test_paced_play_waits_for_its_time_and_ends_with_a_picture(void)
+{
+    cairn_port_clock_rate_IgnoreAndReturn(60 * 1000);
+    clock_step = 10;
+    TEST_ASSERT_EQUAL(0, run("frames=30 paced every=10 record"));
+    TEST_ASSERT_EQUAL(30, steps);
+    /* A step takes a tenth of a frame and a picture all of one: some are left out, and the last is there. */
+    TEST_ASSERT_TRUE(draws < 30 && draws > 10);
+    TEST_ASSERT_NOT_NULL(strstr(console, "held 1 up\nframe 10 state 0000000a picture "));
+    TEST_ASSERT_NOT_NULL(strstr(console, "end 30 state 0000001e picture "));
+}
+
+void test_paced_play_ends_at_a_bad_script(void)
+{
+    file = "2 left\nx\n";
+    cairn_port_clock_rate_IgnoreAndReturn(60 * 1000);
+    clock_step = 10;
+    TEST_ASSERT_EQUAL(2, run("input=play"));
+    TEST_ASSERT_EQUAL_STRING("game: play line 2: a line begins with a frame number\n", console);
 }
 
 void test_a_keep_is_handed_to_the_game(void)
