@@ -15,6 +15,7 @@ from . import page, runner, single, standing, wrong
 from .model import Options, Part, Section, plain
 
 PARTS: list[Part] = [
+    single.PARTS["arithmetic"],
     single.PARTS["smooth"],
     wrong.ERRORS,
     wrong.ERROR_TIME,

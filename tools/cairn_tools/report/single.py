@@ -25,7 +25,8 @@ class Single:
 
 
 def _of_arithmetic(rows: list[Any]) -> tuple[str, str]:
-    return _passing(rows, "primitives stay within the error that is asked of them.")
+    ours = [row for row in rows if row.bound is not None]  # libfixmath's have none
+    return _passing(ours, "operations stay within the error that is stated and asked of them.")
 
 
 def _of_smooth(rows: list[Any]) -> tuple[str, str]:
