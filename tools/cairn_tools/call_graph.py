@@ -48,7 +48,7 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"\bvisit\(world, spring->a", ("sleep:join",)),
     (r"\btest\(asked, &about", ("query:holds_point", "query:meets_box")),
     (r"\bkeep\(world, ", ("arbiter:is_current", "arbiter:is_of_others")),
-    (r"\bways\[", ("sweep:warm_start_*", "sweep:biased_*", "sweep:relax_*", "sweep:idle")),
+    (r"\bways\[", ("sweep:warm_start_*", "sweep:biased_*", "sweep:relax_*")),
     (r"draw->\w+\(|\bvisit\(context", ()),  # the game's
 )  # fmt: skip
 
