@@ -14,14 +14,24 @@ add_library(cairn_print STATIC "${CAIRN_PORTS_DIR}/common/print.c")
 target_include_directories(cairn_print PUBLIC "${CAIRN_PORTS_DIR}/include")
 target_link_libraries(cairn_print PRIVATE cairn_warnings)
 
+option(CAIRN_WINDOW "The host's images in a window of SDL2, with keys; without it they have no display and no buttons" OFF)
+
 function(cairn_add_host_port)
-    add_library(cairn_port_host STATIC
-        "${CAIRN_PORTS_DIR}/host/port.c"
-        "${CAIRN_PORTS_DIR}/host/keep.c"
-        "${CAIRN_PORTS_DIR}/common/no_display.c"
-        "${CAIRN_PORTS_DIR}/common/no_buttons.c")
+    add_library(cairn_port_host STATIC "${CAIRN_PORTS_DIR}/host/port.c" "${CAIRN_PORTS_DIR}/host/keep.c")
     target_include_directories(cairn_port_host PUBLIC "${CAIRN_PORTS_DIR}/include")
     target_link_libraries(cairn_port_host PRIVATE cairn_warnings)
+    if(CAIRN_WINDOW)
+        find_package(SDL2 QUIET)
+        if(NOT SDL2_FOUND)
+            message(FATAL_ERROR "CAIRN_WINDOW needs SDL2: tools/setup --window installs it (Debian's libsdl2-dev)")
+        endif()
+        target_sources(cairn_port_host PRIVATE "${CAIRN_PORTS_DIR}/host/window.c")
+        target_link_libraries(cairn_port_host PRIVATE SDL2::SDL2)
+    else()
+        target_sources(cairn_port_host PRIVATE
+            "${CAIRN_PORTS_DIR}/common/no_display.c"
+            "${CAIRN_PORTS_DIR}/common/no_buttons.c")
+    endif()
 endfunction()
 
 # The library of a board: made when the first image asks for it.

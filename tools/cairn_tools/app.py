@@ -31,6 +31,7 @@ from . import profile as profile_module
 from .accuracy import command as accuracy_module
 from .errors import UserError
 from .oracle import command as oracle_module
+from .play import command as play_module
 from .report.verb import report
 from .stability import command as stability_module
 from .stability import report as stability_report
@@ -415,6 +416,7 @@ def stability(
 
 app.command()(accuracy_module.accuracy)
 app.command()(oracle_module.oracle)
+app.command()(play_module.play)
 
 
 @app.command()

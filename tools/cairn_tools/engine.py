@@ -164,10 +164,20 @@ def profiler() -> Path:
     return BUILDS / "host" / "tools" / "profile" / "libcairn-profile.so"
 
 
-def _configure(preset: str) -> None:
-    with lock(preset):
-        if not (BUILDS / preset / "build.ninja").is_file():
-            check_build(cmake("--preset", preset, "-B", str(BUILDS / preset), "-DCAIRN_BUILD_TESTS=OFF"))
+def build_target(preset: str, target: str, folder: str = "", options: Sequence[str] = ()) -> Path:
+    """Builds one target where it is not up to date, in a folder of the preset's name or another; gives the folder."""
+    place = BUILDS / (folder or preset)
+    _configure(preset, folder, options)
+    with lock(place.name):
+        check_build(cmake("--build", str(place), "--target", target))
+    return place
+
+
+def _configure(preset: str, folder: str = "", options: Sequence[str] = ()) -> None:
+    place = BUILDS / (folder or preset)
+    with lock(place.name):
+        if not (place / "build.ninja").is_file():
+            check_build(cmake("--preset", preset, "-B", str(place), "-DCAIRN_BUILD_TESTS=OFF", *options))
 
 
 def cmake(*arguments: str) -> str | None:
