@@ -159,7 +159,8 @@ def console(folder: Path, game: str, *words: str) -> Iterator[tuple[qmp.Console,
     image, socket, output = images.build(game, images.CONSOLE), folder / "qmp", folder / "output"
     with output.open("w") as file:
         command = images.qemu(image, [f"seed={SEED}", *words], "none", socket)
-        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.DEVNULL)
+        nothing = subprocess.DEVNULL
+        process = subprocess.Popen(command, cwd=folder, stdin=nothing, stdout=file, stderr=nothing)
         try:
             with qmp.Console(socket) as connection:
                 yield connection, output
@@ -191,6 +192,28 @@ def test_the_display_shows_the_host_s_own_pictures(tmp_path: Path) -> None:
             assert picture is not None
             seen.append(find(picture, frames))
     assert seen == sorted(seen) and seen[-1] > seen[0]
+
+
+def test_a_play_recorded_on_the_console_is_the_same_when_played_again(tmp_path: Path) -> None:
+    frames = 210
+    with console(tmp_path, "cairn", f"frames={frames}", "paced", "record") as (connection, output):
+        connection.wake()
+        for button, seconds in (("select", 0.1), ("right", 0.5), ("up", 0.3), ("select", 0.1)):
+            sleep(0.2)
+            connection.key(button, True)
+            sleep(seconds)
+            connection.key(button, False)
+        while (played := headless.parse(output.read_text())).end is None:
+            sleep(0.1)
+    held = ["select", "none", "right", "none", "up", "none", "select", "none"]
+    assert [line.split()[1] for line in played.held] == held
+    file = tmp_path / "script"
+    file.write_text(script.text("cairn", SEED, played.held, played.end))
+    again = images.Play(script.about(file).frames, file, SEED)
+    for board in images.BOARDS:
+        assert headless.play(images.build("cairn", board), again).end == played.end
+    idle = headless.play(images.build("cairn", "host"), images.Play(frames, seed=SEED)).end
+    assert played.end.frame == frames and idle is not None and idle.state != played.end.state
 
 
 # ---- costs ----

@@ -1,1 +1,1 @@
-"""The games of examples/ on the emulated console and on the host: played by a person or by a script, pictured and measured."""
+"""The games of examples/ on the emulated console and on the host: played by a person or a script, drawn, measured."""

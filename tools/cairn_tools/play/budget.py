@@ -79,7 +79,7 @@ def _cost(image: images.Image, name: str, frames: int) -> headless.Cost:
 
 
 def _all_stones() -> bytes:
-    """A kept game with all its stones in the air above the first level; the test of the console knows how it is laid out."""
+    """A kept game with all its stones in the air above the first level; the console's test knows how it is laid out."""
     place = engine.ROOT / "tests" / "qemu" / "check_games.py"
     spec = importlib.util.spec_from_file_location("check_games", place)
     if spec is None or spec.loader is None:
@@ -110,7 +110,7 @@ def troubles(rows: list[Row]) -> Iterator[str]:
 
 
 def run(keep: bool, check: bool, as_json: bool) -> None:
-    """Exit code 1 where --check finds more than is on record: a limit that is missed is only told, as with `bench --memory`."""
+    """Exit code 1 where --check finds more than is on record: a limit that is missed is only told."""
     started = monotonic()
     with working("play --budget") as say:
         rows = measure(say)

@@ -54,7 +54,7 @@ def play(
     every: Annotated[int, typer.Option(min=1, help="Each so many frames in pictures and hashes.")] = 3,
     scale: Annotated[int, typer.Option(min=1, max=16, help="Dots a pixel in pictures.")] = 4,
     budget: Annotated[bool, typer.Option("--budget", help="What frames cost on the console, RAM and flash.")] = False,
-    check: Annotated[bool, typer.Option("--check", help="The same game on both boards; or hold --budget to its record.")] = False,
+    check: Annotated[bool, typer.Option(help="One game on both boards; with --budget: hold it to its record.")] = False,
     put_down: Annotated[bool, typer.Option("--keep", help="With --budget: put it on record.")] = False,
     as_json: JsonOption = False,
 ) -> None:
@@ -68,7 +68,8 @@ def play(
     if check:
         check_module.run(game, frames or check_module.FRAMES, as_json)
         return
-    for name, given in {"--frames": frames, "--input": script_file, "--gif": gif, "--png": png, "--stills": stills}.items():
+    pictured = {"--gif": gif, "--png": png, "--stills": stills}
+    for name, given in {"--frames": frames, "--input": script_file, **pictured}.items():
         if given is not None and not without:
             raise UserError(f"{name} goes with --headless")
     if record and without:
@@ -106,11 +107,12 @@ def _headless(game: str, board: str, how: images.Play, wish: Wish, as_json: bool
         say("pictures")
         _draw(got, how.frames, wish)
     recorded = script.about(how.script).end if how.script else None
-    same = recorded == got.end if recorded and recorded.frame == how.frames else None
+    # A game in a window may have dropped that frame's picture.
+    same = recorded.state == got.end.state if recorded and recorded.frame == how.frames else None
     if as_json:
-        record = {"game": game, "board": board, "frames": how.frames, "seed": how.seed, "as_recorded": same,
-                  "end": asdict(got.end), "cost": asdict(got.cost), "hashes": [asdict(row) for row in got.hashes]}  # fmt: skip
-        print(json.dumps(record, indent=2))
+        ran = {"game": game, "board": board, "frames": how.frames, "seed": how.seed, "as_recorded": same}
+        hashes = [asdict(row) for row in got.hashes]
+        print(json.dumps({**ran, "end": asdict(got.end), "cost": asdict(got.cost), "hashes": hashes}, indent=2))
     else:
         print(f"{game} on {board}: {how.frames} frames, state {got.end.state}, picture {got.end.picture}")
         unit = "ns" if board == "host" else "instructions"

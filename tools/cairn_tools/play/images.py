@@ -72,13 +72,14 @@ def run(image: Image, play: Play, words: Sequence[str] = ()) -> str:
     """What the image prints until it ends. The script's own mistakes are the user's."""
     with workplace(play) as (place, own):
         given = [f"frames={play.frames}", *own, *words]
-        done = subprocess.run(command(image, given, ["--timeout", str(120 + play.frames)]), cwd=place, capture_output=True,
-                              text=True, stdin=subprocess.DEVNULL, check=False)  # fmt: skip
+        line = command(image, given, ["--timeout", str(120 + play.frames)])
+        nothing = subprocess.DEVNULL
+        done = subprocess.run(line, cwd=place, stdin=nothing, capture_output=True, text=True, check=False)
     if done.returncode == BAD_CALL and play.script:
         raise UserError(script_trouble(done.stdout, play.script))
     if done.returncode != 0:
-        said = (done.stderr + done.stdout).strip().splitlines()
-        raise engine.EngineError(f"{image.game} on {image.board}: {said[-1] if said else f'exit {done.returncode}'}")
+        last = ((done.stderr + done.stdout).strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+        raise engine.EngineError(f"{image.game} on {image.board}: {last}")
     return done.stdout
 
 

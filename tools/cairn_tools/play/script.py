@@ -48,7 +48,7 @@ def about(file: Path) -> About:
 
 
 def long_play(frames: int, seed: int) -> list[str]:
-    """A player who never rests: moves, turns, drops, now and then opens the menu or switches a layer of the debug view."""
+    """A player who never rests: moves, turns, drops, now and then opens the menu or switches a debug layer."""
     random = Random(seed)
     lines, frame, last = ["1 none"], 30, "none"
     while frame < frames:
