@@ -15,6 +15,7 @@ from PIL import Image
 
 ROOT = Path(__file__).parents[2]
 SEED = 5
+RP2040JS = ROOT / "build" / "rp2040" / "node_modules"
 
 
 def cairn_play(*arguments: object) -> subprocess.CompletedProcess[str]:
@@ -39,6 +40,7 @@ def script_file(folder: Path, *lines: str) -> Path:
         (["--frames", "9"], "--frames goes with --headless"),
         (["--headless", "--record", "a.txt"], "--record"),
         (["--keep"], "--budget"),
+        (["--board", "rp2040"], "rp2040 has no display"),
         (["--headless", "--board", "gameboy"], "--board"),
         (["--headless", "--board", "host", "--gif", "/nowhere/a.gif"], "no folder /nowhere"),
         (["--headless", "--board", "host", "--frames", "9", "--from", "9"], "--from 9"),
@@ -148,6 +150,15 @@ def test_a_script_that_ends_otherwise_than_recorded_fails(tmp_path: Path) -> Non
     assert cairn_play("pinball", "--board", "host", "--headless", "--input", good).returncode == 0
     done = cairn_play("pinball", "--board", "host", "--headless", "--input", bad)
     assert (done.returncode, done.stderr) == (1, f"cairn: {bad}: ends otherwise than it was recorded\n")
+
+
+@pytest.mark.skipif(not RP2040JS.is_dir(), reason="tools/setup --rp2040 has not been asked for")
+def test_the_rp2040_plays_the_same_game_and_keeps_it(tmp_path: Path) -> None:
+    save = tmp_path / "save"
+    save.write_bytes(b"no kept game")
+    how = images.Play(40, script_file(tmp_path, "5 select", "7 none"), SEED, save)
+    ends = [headless.play(images.build("cairn", board), how, 20).hashes for board in ("rp2040", "host")]
+    assert ends[0] == ends[1] and len(ends[0]) == 2
 
 
 # ---- the console from outside ----

@@ -7,7 +7,13 @@
 import { createRequire } from 'node:module';
 import fs from 'node:fs';
 
+const SYS_OPEN = 0x01;
+const SYS_CLOSE = 0x02;
 const SYS_WRITE0 = 0x04;
+const SYS_WRITE = 0x05;
+const SYS_READ = 0x06;
+const SYS_SEEK = 0x0a;
+const SYS_RENAME = 0x0f;
 const SYS_GET_CMDLINE = 0x15;
 const SYS_EXIT_EXTENDED = 0x20;
 const APPLICATION_EXIT = 0x20026;
@@ -19,6 +25,7 @@ const TIMED_OUT = 124;
 const FAULT = 103;
 const BAD_CALL = 2;
 const INSTRUCTIONS_A_LOOK = 1 << 20; // between two looks at the time
+const MODES = { 1: 'r', 5: 'w' }; // of SYS_OPEN, as ports/cortex-m/semihosting.h has them
 const KINDS = ['step', 'engine', 'helper', 'aside', 'outside'];
 const [STEP, , HELPER, ASIDE, OUTSIDE] = KINDS.keys();
 
@@ -106,7 +113,46 @@ class Profile {
 class Host {
   constructor(chip, words) {
     [this.chip, this.line, this.text, this.exit] = [chip, ['cairn', ...words].join(' '), '', null];
+    this.places = new Map(); // of the open files, by their handles: where the next byte is
     chip.onBreak = (number) => this.answer(number);
+  }
+
+  bytes(address, count) {
+    return Buffer.from(Array.from({ length: count }, (_, i) => this.chip.readUint8(address + i)));
+  }
+
+  // Files, as ports/cortex-m/keep.c uses them.
+  answerFile(operation, [first, second, third, fourth]) {
+    try {
+      switch (operation) {
+        case SYS_OPEN: {
+          const handle = fs.openSync(this.bytes(first, third).toString('latin1'), MODES[second]);
+          this.places.set(handle, 0);
+          return handle;
+        }
+        case SYS_CLOSE:
+          this.places.delete(first);
+          fs.closeSync(first);
+          return 0;
+        case SYS_SEEK:
+          this.places.set(first, second);
+          return 0;
+        case SYS_READ: {
+          const data = Buffer.alloc(third);
+          const count = fs.readSync(first, data, 0, third, this.places.get(first));
+          data.subarray(0, count).forEach((byte, i) => this.chip.writeUint8(second + i, byte));
+          this.places.set(first, this.places.get(first) + count);
+          return third - count;
+        }
+        case SYS_WRITE:
+          return third - fs.writeSync(first, this.bytes(second, third));
+        default:
+          fs.renameSync(this.bytes(first, second).toString('latin1'), this.bytes(third, fourth).toString('latin1'));
+          return 0;
+      }
+    } catch {
+      return operation === SYS_READ || operation === SYS_WRITE ? third : -1;
+    }
   }
 
   answer(number) {
@@ -126,6 +172,8 @@ class Host {
       chip.core.registers[0] = bytes.length <= size ? 0 : -1;
     } else if (number === BKPT_SEMIHOSTING && operation === SYS_EXIT_EXTENDED) {
       this.exit = chip.readUint32(block) === APPLICATION_EXIT ? chip.readUint32(block + 4) & 0xff : FAULT;
+    } else if (number === BKPT_SEMIHOSTING && [SYS_OPEN, SYS_CLOSE, SYS_READ, SYS_WRITE, SYS_SEEK, SYS_RENAME].includes(operation)) {
+      chip.core.registers[0] = this.answerFile(operation, [0, 4, 8, 12].map((field) => chip.readUint32(block + field)));
     } else {
       throw new Error(`break ${number} with operation ${operation}`);
     }

@@ -32,7 +32,7 @@ class Wish:
     scale: int
 
 
-Board = Enum("Board", {name: name for name in images.BOARDS}, type=str)
+Board = Enum("Board", {name: name for name in (*images.BOARDS, *images.OTHERS)}, type=str)
 SEED = 1
 FRAMES = 600  # without a script
 SAVES = engine.ROOT / "build" / "play"  # where a person's games are kept
@@ -72,6 +72,8 @@ def play(
     for name, given in {"--frames": frames, "--input": script_file, **pictured}.items():
         if given is not None and not without:
             raise UserError(f"{name} goes with --headless")
+    if not without and board.value in images.OTHERS:
+        raise UserError(f"{board.value} has no display: play with --headless")
     if record and without:
         raise UserError("--record is for a window: a script is recorded by playing")
     if without:
@@ -115,7 +117,7 @@ def _headless(game: str, board: str, how: images.Play, wish: Wish, as_json: bool
         print(json.dumps({**ran, "end": asdict(got.end), "cost": asdict(got.cost), "hashes": hashes}, indent=2))
     else:
         print(f"{game} on {board}: {how.frames} frames, state {got.end.state}, picture {got.end.picture}")
-        unit = "ns" if board == "host" else "instructions"
+        unit = {"host": "ns", "rp2040": "cycles"}.get(board, "instructions")
         print(f"worst frame {got.cost.worst:,} {unit} (frame {got.cost.frame:,}), mean {got.cost.mean:,}")
     if same is False:
         print(f"cairn: {how.script}: ends otherwise than it was recorded", file=sys.stderr)

@@ -20,6 +20,7 @@ from ..errors import UserError
 GAMES = {"cairn": "game-cairn", "pinball": "game-pinball", "platformer": "game-hop", "show": "game-show"}
 CONSOLE = "lm3s6965evb"
 BOARDS = (CONSOLE, "host")
+OTHERS = ("rp2040",)  # without a display
 SCRIPT = "input.txt"  # as the image sees it: its words have no blanks and are short
 KEEP = "keep"
 BAD_CALL = 2
@@ -59,13 +60,16 @@ def need_qemu(which: Which = shutil.which) -> None:
 
 
 def build(game: str, board: str) -> Image:
-    """The image of a game for the console, or for the host without a window."""
-    if board != "host":
+    """The image of a game for a board, or for the host without a window."""
+    if board == "host":
+        return Image(game, board, engine.build_target("host", GAMES[game]) / "examples" / GAMES[game])
+    preset, own, options = engine.CORES[board].preset, "", []
+    if board in OTHERS:
+        own, options = board, [f"-DCAIRN_BOARD={board}"]
+    else:
         need_qemu()
-    preset = "host" if board == "host" else engine.CORES[board].preset
-    ending = "" if board == "host" else ".elf"
-    folder = engine.build_target(preset, GAMES[game])
-    return Image(game, board, folder / "examples" / f"{GAMES[game]}{ending}")
+    folder = engine.build_target(preset, GAMES[game], own, options)
+    return Image(game, board, folder / "examples" / f"{GAMES[game]}.elf")
 
 
 def run(image: Image, play: Play, words: Sequence[str] = ()) -> str:
@@ -84,9 +88,11 @@ def run(image: Image, play: Play, words: Sequence[str] = ()) -> str:
 
 
 def command(image: Image, words: Sequence[str], options: Sequence[str] = ()) -> list[str]:
-    """The command line: the program itself, or tools/qemu-run with the options."""
+    """The command line: the program itself, or its emulator's runner in tools with the options."""
     if image.board == "host":
         return [str(image.path), *words]
+    if image.board in OTHERS:
+        return [str(engine.ROOT / "tools" / "rp2040-run"), *options, str(image.path), *words]
     runner = [sys.executable, str(engine.ROOT / "tools" / "qemu-run"), *options]
     return [*runner, image.board, str(image.path), *words]
 
