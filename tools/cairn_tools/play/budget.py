@@ -28,6 +28,7 @@ SEED = 7
 # Three kinds of a game: the frames of each.
 PLAYS = {"24 stones": 600, "a script": 3600, "by itself": 3600}
 WITH_STONES = "24 stones"
+STONES = 24
 
 Say = Callable[[str], None]
 
@@ -66,7 +67,7 @@ def _cost(image: images.Image, name: str, frames: int) -> headless.Cost:
         keep, lines = None, []
         if name == WITH_STONES:
             keep = Path(folder) / "kept"
-            keep.write_bytes(_all_stones())
+            keep.write_bytes(kept_game(STONES))
             lines = ["5 select", "7 none"]
         elif name == "a script":
             lines = script.long_play(frames, SEED)
@@ -78,15 +79,15 @@ def _cost(image: images.Image, name: str, frames: int) -> headless.Cost:
     return got.cost
 
 
-def _all_stones() -> bytes:
-    """A kept game with all its stones in the air above the first level; the console's test knows how it is laid out."""
+def kept_game(stones: int, level: int = 0, supply: int = 0) -> bytes:
+    """A kept game with stones in the air above its level; the console's test knows how it is laid out."""
     place = engine.ROOT / "tests" / "qemu" / "check_games.py"
     spec = importlib.util.spec_from_file_location("check_games", place)
     if spec is None or spec.loader is None:
         raise engine.EngineError(f"{place} is not there")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    return module.kept_game(module.three_piles())
+    return module.kept_game(module.three_piles()[:stones], level, supply)
 
 
 def _memory(image: Path) -> list[Row]:

@@ -15,6 +15,7 @@ import typer
 from .. import engine
 from ..errors import UserError
 from ..terminal import JsonOption, folder, out, working, writable
+from . import album as album_module
 from . import budget as budget_module
 from . import check as check_module
 from . import headless, images, pictures, script, window
@@ -56,6 +57,7 @@ def play(
     budget: Annotated[bool, typer.Option("--budget", help="What frames cost on the console, RAM and flash.")] = False,
     check: Annotated[bool, typer.Option(help="One game on both boards; with --budget: hold it to its record.")] = False,
     put_down: Annotated[bool, typer.Option("--keep", help="With --budget: put it on record.")] = False,
+    album: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw the pictures of the docs.")] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Play a game on the emulated console, or here; or have a script play it, for pictures and tests."""
@@ -64,6 +66,10 @@ def play(
         raise UserError("--keep goes with --budget; a game is kept with --save FILE")
     if budget:
         budget_module.run(put_down, check, as_json)
+        return
+    if album:
+        with working("pictures") as say:
+            album_module.draw(folder(album), board.value, say)
         return
     if check:
         check_module.run(game, frames or check_module.FRAMES, as_json)
