@@ -1,6 +1,7 @@
 """tools/cairn play: games by scripts on both boards, the console seen and pressed from outside, and bad calls."""
 
 import json
+import shutil
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -150,6 +151,14 @@ def test_a_script_that_ends_otherwise_than_recorded_fails(tmp_path: Path) -> Non
     assert cairn_play("pinball", "--board", "host", "--headless", "--input", good).returncode == 0
     done = cairn_play("pinball", "--board", "host", "--headless", "--input", bad)
     assert (done.returncode, done.stderr) == (1, f"cairn: {bad}: ends otherwise than it was recorded\n")
+
+
+@pytest.mark.skipif(shutil.which("sdl2-config") is None, reason="tools/setup --window has not been asked for")
+def test_the_window_of_the_host_plays_the_same_game(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    how = images.Play(60, script_file(tmp_path, "5 select", "7 none"), SEED)
+    image = images.build("cairn", "host")
+    assert headless.play(window.host_image("cairn"), how).end == headless.play(image, how).end
 
 
 @pytest.mark.skipif(not RP2040JS.is_dir(), reason="tools/setup --rp2040 has not been asked for")
