@@ -11,7 +11,7 @@ from . import budget, headless, images, pictures
 
 FOLDER = "docs/pictures"
 SEED = 5
-LAYERS = 330  # the frame in which a debug layer is looked at
+LAYERS = 450  # the frame in which a debug layer is looked at
 LEVEL = 64  # the first one again, with a line so high that the game does not end
 SUPPLY = 9
 
