@@ -206,7 +206,7 @@ static void face_normal(cairn_impact *i)
 {
     const cairn_arbiter *arbiter = i->arbiter;
     cairn_motion along = cairn_motion_along(i->b->vy - i->a->vy, i->a->vx - i->b->vx, arbiter->normal_x, arbiter->normal_y);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < arbiter->count; k++) {
         if (i->closing[k] > 0) {
             i->closing[k] = cairn_motion_add(i->closing[k], -cairn_motion_lean(along, i->lean));
         }
