@@ -21,6 +21,7 @@ from . import bench as bench_module
 from . import bench_tables, draw, engine, scene
 from . import compare_command as compare_module
 from . import cycles as cycles_module
+from . import footprint_command as footprint_module
 from . import golden as golden_module
 from . import growth as growth_module
 from . import host_bench as host_module
@@ -68,6 +69,7 @@ GoldenTarget = Enum("GoldenTarget", {name: name for name in golden_module.TARGET
 SEVERAL = {
     "accuracy": {"--core", "--scene"},
     "bench": {"--core", "--scene"},
+    "footprint": {"--core"},
     "golden": {"--targets"},
     "stability": {"--case", "--engine", "--solver"},
     "sweep": {"--core", "--vary"},
@@ -417,6 +419,7 @@ def stability(
 app.command()(accuracy_module.accuracy)
 app.command()(oracle_module.oracle)
 app.command()(play_module.play)
+app.command("footprint")(footprint_module.command)
 
 
 @app.command()
