@@ -85,7 +85,7 @@ cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b)
     arbiter->a = a;
     arbiter->b = b;
     arbiter->after = CAIRN_NONE;
-    if (body_a->model->sensor || body_b->model->sensor) {
+    if (cairn_body_is_sensing(body_a) || cairn_body_is_sensing(body_b)) {
         arbiter->flags |= CAIRN_ARBITER_SENSOR;
     }
     if (cairn_body_type_of(body_a) == CAIRN_STATIC) {
@@ -106,7 +106,7 @@ static bool is_driven(cairn_motion v) { return v > DRIVEN || -v > DRIVEN; }
 
 static void give_way(cairn_body *body, cairn_share share, cairn_motion closing, const cairn_arbiter *arbiter)
 {
-    if (cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (cairn_body_is_dynamic(body) && !cairn_body_is_fixed(body)) {
         cairn_motion by = cairn_motion_share(closing, share);
         body->dx = cairn_motion_add(cairn_body_held_x(body), cairn_motion_dir(by, arbiter->normal_x));
         body->dy = cairn_motion_add(cairn_body_held_y(body), cairn_motion_dir(by, arbiter->normal_y));
@@ -154,7 +154,7 @@ void cairn_arbiters_begin(cairn_world *world)
     world->expected = &world->first_found;
     world->fresh = 0;
     world->slides = world->idles = false;
-    if (world->continuous == NULL || (!world->driven && world->fast == 0)) {
+    if (cairn_world_continuous(world) == NULL || (!world->driven && cairn_world_fast(world) == 0)) {
         return; /* what the solver leaves of an approach is too slow to be looked ahead for, unless something is fast */
     }
     bool driven = world->driven;
@@ -247,7 +247,7 @@ void cairn_arbiters_scale_impulses(cairn_world *world, cairn_wide factor)
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         arbiter->friction_impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->friction_impulse, factor), CAIRN_IMPULSE_MAX);
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < CAIRN_MAX_POINTS; i++) {
             arbiter->rows[i].impulse = cairn_motion_clamp(cairn_motion_scale(arbiter->rows[i].impulse, factor), CAIRN_IMPULSE_MAX);
             arbiter->rows[i].load = cairn_motion_clamp(cairn_motion_scale(arbiter->rows[i].load, factor), CAIRN_IMPULSE_MAX);
         }

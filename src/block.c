@@ -354,6 +354,9 @@ cairn_status cairn_blocks_enable(cairn_world *world, cairn_block *memory)
     if (memory == NULL || world->locked) {
         return cairn_fail(world, memory == NULL ? CAIRN_ERROR_NULL : CAIRN_ERROR_LOCKED);
     }
+    if (!CAIRN_WITH_BLOCKS) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
+    }
     memset(memory, 0, sizeof *memory);
     memory->kind = &block_class;
     world->block = memory;

@@ -114,7 +114,7 @@ static void dissolve(cairn_world *world, uint8_t number)
 static void forget_impulses(cairn_arbiter *arbiter)
 {
     arbiter->rows[0].impulse = 0;
-    arbiter->rows[1].impulse = 0;
+    arbiter->rows[CAIRN_LAST_ROW].impulse = 0;
     arbiter->friction_impulse = 0;
 }
 

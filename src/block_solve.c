@@ -30,7 +30,7 @@ static inline int at(int row, int column) { return row * (row + 1) / 2 + column;
 /* What an impulse along row c changes in row r, over a body that both touch. */
 static cairn_unit through(const cairn_block_body *body, const cairn_block_row *r, cairn_lever jr, const cairn_block_row *c, cairn_lever jc, int exponent)
 {
-    bool moves = !(body->body->flags & CAIRN_BODY_FIXED_POSITION);
+    bool moves = !cairn_body_is_fixed(body->body);
     return cairn_unit_coupling(moves ? r->x : 0, moves ? r->y : 0, jr, c->x, c->y, jc, body->inverse, exponent);
 }
 
@@ -93,7 +93,7 @@ void cairn_block_evaluate(cairn_block *block)
     block->current = true;
     for (int i = 0; i < block->body_count; i++) {
         cairn_block_body *body = &block->bodies[i];
-        bool moves = !(body->body->flags & CAIRN_BODY_FIXED_POSITION);
+        bool moves = !cairn_body_is_fixed(body->body);
         body->vx = cairn_push_from_motion(body->body->vx) + (moves ? cairn_push_scale(body->px, body->inverse) : 0);
         body->vy = cairn_push_from_motion(body->body->vy) + (moves ? cairn_push_scale(body->py, body->inverse) : 0);
         body->vw = cairn_push_from_motion(body->body->w) + cairn_push_scale(body->pw, body->inverse);

@@ -95,6 +95,15 @@ static bool is_material_valid(const cairn_material *material)
         && material->threshold >= 0 && (material->restitution == 0 || material->bounce != NULL);
 }
 
+/* Does a build without some features (config.h) know all that the model asks for? */
+static bool is_built_for(const cairn_body_model *model)
+{
+    bool damps = model->damping != 0 || model->angular_damping != 0;
+    return (CAIRN_WITH_BOUNCE || model->material->bounce == NULL) && (CAIRN_WITH_FIXED_POSITION || !model->fixed_position)
+        && (CAIRN_WITH_SENSORS || !model->sensor) && (CAIRN_WITH_DAMPING || !damps)
+        && (CAIRN_MAX_POINTS > 1 || model->type != CAIRN_DYNAMIC || model->shape->kind->outline == NULL);
+}
+
 static cairn_status check_model(const cairn_body_model *model, cairn_mass_data *mass)
 {
     if (model == NULL || model->shape == NULL || model->shape->kind == NULL || model->material == NULL) {
@@ -108,6 +117,9 @@ static cairn_status check_model(const cairn_body_model *model, cairn_mass_data *
         || !is_material_valid(model->material) || !within(model->gravity_scale, CAIRN_F(16)) || model->damping < 0
         || model->damping > CAIRN_F(1000) || model->angular_damping < 0 || model->angular_damping > CAIRN_F(1000)) {
         return CAIRN_ERROR_RANGE;
+    }
+    if (!is_built_for(model)) {
+        return CAIRN_ERROR_KIND;
     }
     if (model->type == CAIRN_DYNAMIC) {
         cairn_wide kilograms = cairn_wide_mul(mass->area, model->density);
@@ -190,8 +202,8 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
 /* After a change of where a body is or of whom it meets. */
 static void disturb(cairn_world *world, const cairn_body *body)
 {
-    if (world->sleep != NULL && !cairn_body_is_dynamic(body)) {
-        world->sleep->disturb(world, body);
+    if (cairn_world_sleep(world) != NULL && !cairn_body_is_dynamic(body)) {
+        cairn_world_sleep(world)->disturb(world, body);
     }
 }
 
@@ -206,7 +218,7 @@ static void set_spin(cairn_world *world, cairn_body *body, cairn_real radians_pe
 
 static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 velocity)
 {
-    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+    if (cairn_body_is_fixed(body)) {
         return;
     }
     world->driven = true;
@@ -247,8 +259,8 @@ cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)
     }
     uint16_t index = (uint16_t)(id.index - 1);
     cairn_arbiters_remove_body(world, index);
-    if (world->springs != NULL) {
-        world->springs->kind->remove_body(world, index);
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->remove_body(world, index);
     }
     body->flags = 0;
     body->generation = (uint16_t)(body->generation == UINT16_MAX ? 1 : body->generation + 1);
@@ -338,8 +350,8 @@ static void change_contacts(cairn_world *world, const cairn_body *body, uint16_t
         cairn_arbiters_remove_body(world, index);
     }
     disturb(world, body);
-    if (world->springs != NULL) {
-        world->springs->changed = true;
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->changed = true;
     }
 }
 
@@ -365,7 +377,7 @@ cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const ca
     if (!cairn_body_can_turn(body)) {
         body->w = 0;
     }
-    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+    if (cairn_body_is_fixed(body)) {
         body->vx = body->vy = 0;
     }
     bool same_mass = !cairn_wide_less(old_mass, new_mass) && !cairn_wide_less(new_mass, old_mass);

@@ -17,7 +17,7 @@ static cairn_real cross(cairn_vec2 r, cairn_vec2 f) { return cairn_real_sub(cair
 /* Add a force's (or impulse's) velocity change: `per_mass` is h^2 (or h). */
 static void add_linear(cairn_body *body, cairn_motion *x, cairn_motion *y, cairn_vec2 amount, cairn_wide per_mass)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         cairn_wide k = cairn_wide_div(per_mass, cairn_body_mass_of(body));
         *x = cairn_motion_add(*x, cairn_motion_from_real(amount.x, k));
         *y = cairn_motion_add(*y, cairn_motion_from_real(amount.y, k));

@@ -58,7 +58,7 @@ static void mix(cairn_impact *i, const cairn_world *world, phase *p)
 static void weigh(cairn_impact *i, const cairn_world *world)
 {
     i->gx = i->gy = 0;
-    if (!cairn_body_is_dynamic(i->a) && !(i->b->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_dynamic(i->a) && !cairn_body_is_fixed(i->b)) {
         cairn_factor scale = cairn_factor_from_real(i->b->model->gravity_scale);
         i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.35));
         i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.35));
@@ -81,7 +81,7 @@ static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, 
     return i;
 }
 
-static bool is_in_flight(const cairn_arbiter *arbiter) { return ((arbiter->rows[0].feature | arbiter->rows[1].feature) & CAIRN_ROW_IN_FLIGHT) != 0; }
+static bool is_in_flight(const cairn_arbiter *arbiter) { return ((arbiter->rows[0].feature | arbiter->rows[CAIRN_LAST_ROW].feature) & CAIRN_ROW_IN_FLIGHT) != 0; }
 
 /* After a look at a pair: what flies, and the sweeps' way of a contact whose rows may be others now. */
 static void take_note(cairn_world *world, const cairn_impact *i)

@@ -48,7 +48,7 @@ static cairn_repeated repeated_of(const cairn_impact *i)
 /* Adds to what is repeated, v - u, of a body. */
 static void repeat(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         body->ux = cairn_motion_add(body->ux, -x);
         body->uy = cairn_motion_add(body->uy, -y);
     }

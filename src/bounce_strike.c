@@ -15,8 +15,8 @@ static cairn_factor coupling(const cairn_arbiter *arbiter, cairn_factor linear, 
 
 static cairn_factor linear_part(const cairn_impact *i)
 {
-    cairn_share share = (i->a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : i->arbiter->share_a)
-                      + (i->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : cairn_arbiter_share_b(i->arbiter));
+    cairn_share share = (cairn_body_is_fixed(i->a) ? 0 : i->arbiter->share_a)
+                      + (cairn_body_is_fixed(i->b) ? 0 : cairn_arbiter_share_b(i->arbiter));
     return cairn_factor_mul(cairn_factor_from_share(share), i->norm);
 }
 
@@ -24,9 +24,9 @@ static cairn_factor linear_part(const cairn_impact *i)
 static void resolve(const cairn_impact *i, cairn_motion *first, cairn_motion *second)
 {
     const cairn_arbiter *arbiter = i->arbiter;
-    const cairn_row *p = &arbiter->rows[0], *q = &arbiter->rows[1];
+    const cairn_row *p = &arbiter->rows[0], *q = &arbiter->rows[CAIRN_LAST_ROW];
     cairn_factor linear = linear_part(i), gain = CAIRN_FACTOR(1) + i->restitution;
-    cairn_motion bp = cairn_motion_factor(i->closing[0], gain), bq = arbiter->count > 1 ? cairn_motion_factor(i->closing[1], gain) : 0;
+    cairn_motion bp = cairn_motion_factor(i->closing[0], gain), bq = cairn_arbiter_has_two(arbiter) ? cairn_motion_factor(i->closing[1], gain) : 0;
     cairn_factor pp = coupling(arbiter, linear, p->lever_a, p->lever_a, p->lever_b, p->lever_b);
     *first = *second = 0;
     if (bq == 0) {
@@ -53,7 +53,7 @@ static void resolve(const cairn_impact *i, cairn_motion *first, cairn_motion *se
 
 static void apply(cairn_body *body, cairn_motion px, cairn_motion py, cairn_motion spin)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         body->vx = cairn_motion_clamp(cairn_motion_add(body->vx, px), CAIRN_SWEEP_SPEED);
         body->vy = cairn_motion_clamp(cairn_motion_add(body->vy, py), CAIRN_SWEEP_SPEED);
     }
@@ -105,7 +105,7 @@ static velocity velocity_of(const cairn_body *body)
  */
 static void sum_up(cairn_body *body, velocity before, cairn_motion px, cairn_motion py, cairn_share share)
 {
-    if (share != 0 && !(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (share != 0 && !cairn_body_is_fixed(body)) {
         body->vx = cairn_motion_clamp(cairn_motion_add(before.x, cairn_motion_share_carried(px, share, &body->vx_carry)), CAIRN_SWEEP_SPEED);
         body->vy = cairn_motion_clamp(cairn_motion_add(before.y, cairn_motion_share_carried(py, share, &body->vy_carry)), CAIRN_SWEEP_SPEED);
     }
@@ -130,7 +130,7 @@ static void settle(cairn_world *world, cairn_body *body, velocity before, cairn_
 
 static void shove(cairn_body *body, cairn_motion by, cairn_dir nx, cairn_dir ny)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         body->dx = cairn_motion_add(body->dx, cairn_motion_dir(by, nx));
         body->dy = cairn_motion_add(body->dy, cairn_motion_dir(by, ny));
     }
@@ -154,7 +154,7 @@ static void part(const cairn_world *world, cairn_impact *i)
 /* What an impact has made faster may need the watch over fast bodies, which was set at the step's start. */
 static void hasten(cairn_world *world, cairn_body *body)
 {
-    if (world->continuous == NULL || !cairn_body_is_dynamic(body) || !cairn_body_is_fast(world, body)) {
+    if (cairn_world_continuous(world) == NULL || !cairn_body_is_dynamic(body) || !cairn_body_is_fast(world, body)) {
         return;
     }
     body->flags |= CAIRN_BODY_FAST;
@@ -184,7 +184,7 @@ static void exchange(const cairn_world *world, cairn_impact *i)
         cairn_motion first, second;
         resolve(i, &first, &second);
         strike(i, first, arbiter->normal_x, arbiter->normal_y, arbiter->rows[0].lever_a, arbiter->rows[0].lever_b);
-        strike(i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[1].lever_a, arbiter->rows[1].lever_b);
+        strike(i, second, arbiter->normal_x, arbiter->normal_y, arbiter->rows[CAIRN_LAST_ROW].lever_a, arbiter->rows[CAIRN_LAST_ROW].lever_b);
         rub(world, i, cairn_motion_add(first, second));
         closes = still_closes(i);
     }

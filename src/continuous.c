@@ -197,7 +197,7 @@ static void meet(const cairn_world *world, const cairn_body *a, const cairn_body
         out->count = 0;
         return;
     }
-    if (a->model->sensor || b->model->sensor) {
+    if (cairn_body_is_sensing(a) || cairn_body_is_sensing(b)) {
         if (found == OUTCOME_TOUCH) {
             out->points[0].separation = 0; /* it counts as touching: a sensor must not miss what flies through */
         }

@@ -87,7 +87,10 @@ enum {
 };
 
 static inline bool cairn_arbiter_idles(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_IDLE; }
-static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; }
+static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
+{
+    return CAIRN_MAX_POINTS > 1 && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; /* see cairn_world_slides() */
+}
 
 /* The flag if it is to be set. */
 static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
@@ -117,6 +120,35 @@ static inline cairn_wide cairn_body_mass_of(const cairn_body *body)
 cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b);
 /* What the first of two dynamic bodies takes of a change of their relative velocity: mB / (mA + mB). */
 cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
+
+/* What a build may be without (config.h): constants then, and the compiler leaves out what cannot occur. */
+static inline struct cairn_spring_pool *cairn_world_springs(const cairn_world *world) { return CAIRN_WITH_SPRINGS ? world->springs : NULL; }
+static inline const cairn_bounce_class *cairn_world_bounce(const cairn_world *world) { return CAIRN_WITH_BOUNCE ? world->bounce : NULL; }
+static inline const cairn_continuous_class *cairn_world_continuous(const cairn_world *world)
+{
+    return CAIRN_WITH_CONTINUOUS ? world->continuous : NULL;
+}
+static inline unsigned cairn_world_fast(const cairn_world *world) { return CAIRN_WITH_CONTINUOUS ? world->fast : 0; }
+static inline struct cairn_block *cairn_world_block(const cairn_world *world) { return CAIRN_WITH_BLOCKS ? world->block : NULL; }
+static inline unsigned cairn_world_blocks(const cairn_world *world) { return CAIRN_WITH_BLOCKS ? world->blocks : 0; }
+static inline const cairn_sleep_class *cairn_world_sleep(const cairn_world *world) { return CAIRN_WITH_SLEEP ? world->sleep : NULL; }
+static inline bool cairn_body_is_fixed(const cairn_body *body)
+{
+    return CAIRN_WITH_FIXED_POSITION && (body->flags & CAIRN_BODY_FIXED_POSITION) != 0;
+}
+/* Either of them. */
+static inline bool cairn_bodies_are_fixed(const cairn_body *a, const cairn_body *b)
+{
+    return CAIRN_WITH_FIXED_POSITION && ((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) != 0;
+}
+static inline bool cairn_body_is_sensing(const cairn_body *body) { return CAIRN_WITH_SENSORS && body->model->sensor; }
+/* Of two that are round and free to move none slides in the sense of slide.c. */
+static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_MAX_POINTS > 1 && world->slides; }
+static inline bool cairn_arbiter_has_two(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS > 1 && arbiter->count > 1; }
+/* The place of the second of two rows. */
+#define CAIRN_LAST_ROW (CAIRN_MAX_POINTS - 1)
+/* A function in a table, of contacts of two points: null in builds that know one point only. */
+#define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
 
 static inline bool cairn_body_can_turn(const cairn_body *body) { return body->inverse_gyration != 0; }
 static inline cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
@@ -315,7 +347,7 @@ cairn_factor cairn_arbiter_static_friction(const cairn_world *world, const cairn
 /* Of its impulses: outside of blocks they are what they are. */
 static inline int cairn_arbiter_exponent(const cairn_arbiter *arbiter)
 {
-    return arbiter->block & CAIRN_BLOCK_NUMBER ? arbiter->past.block.exponent : 0;
+    return CAIRN_WITH_BLOCKS && (arbiter->block & CAIRN_BLOCK_NUMBER) ? arbiter->past.block.exponent : 0;
 }
 static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t place) { return &world->arbiters[world->order[place]]; }
 

@@ -50,7 +50,7 @@ void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     bool alone = !(arbiter->block & CAIRN_BLOCK_NUMBER);
-    if (arbiter->count < 2) {
+    if (!cairn_arbiter_has_two(arbiter)) {
         arbiter->slip = -way_of_hold(a, b);
         if (alone) {
             arbiter->past.swept.a = cairn_body_is_round(a) ? 0 : SWEPT;
@@ -111,7 +111,7 @@ static inline void open_gap(cairn_row *row, cairn_motion eightfold)
 /* Does the contact give way at the limit of friction? */
 static bool slips(const cairn_arbiter *arbiter)
 {
-    cairn_motion pressure = arbiter->rows[0].impulse + arbiter->rows[1].impulse;
+    cairn_motion pressure = arbiter->rows[0].impulse + arbiter->rows[CAIRN_LAST_ROW].impulse;
     return magnitude(arbiter->friction_impulse) >= cairn_motion_factor(pressure, arbiter->kinetic_friction);
 }
 
@@ -159,14 +159,15 @@ static void settle_in_turn(const cairn_world *world, cairn_arbiter *arbiter, con
     if (((world->stats.steps + arbiter->b) & 3u) == 0
         && is_below(a->vx, a->vy, a->w, b->vx, b->vy, b->w, world->rest_limit)) {
         settle(world, &arbiter->rows[0]);
-        settle(world, &arbiter->rows[1]);
+        settle(world, &arbiter->rows[CAIRN_LAST_ROW]);
     }
 }
 
 static void forget(cairn_arbiter *arbiter)
 {
     cairn_arbiter_let_go(arbiter);
-    arbiter->rows[0].load = arbiter->rows[1].load = 0;
+    arbiter->rows[0].load = 0;
+    arbiter->rows[CAIRN_LAST_ROW].load = 0;
 }
 
 /* Impacts have their own ways; what is deeper than the push-out tells has no known gap. */
@@ -199,7 +200,7 @@ CAIRN_APART bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const c
 CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
     relative_motion by;
-    if (!is_known(&arbiter->rows[0], deepest) || !is_known(&arbiter->rows[1], deepest) || !find_motion(a, b, &by, true)) {
+    if (!is_known(&arbiter->rows[0], deepest) || !is_known(&arbiter->rows[CAIRN_LAST_ROW], deepest) || !find_motion(a, b, &by, true)) {
         forget(arbiter);
         return false;
     }
@@ -209,7 +210,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
     cairn_motion across = cairn_motion_along(8 * by.y, -8 * by.x, arbiter->normal_x, arbiter->normal_y)
                         + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
     bool struck = false, doubtful = false, near = arbiter->friction_impulse != 0;
-    for (cairn_row *row = arbiter->rows; row != arbiter->rows + 2; row++) {
+    for (cairn_row *row = arbiter->rows; row != arbiter->rows + CAIRN_MAX_POINTS; row++) {
         cairn_motion eightfold = apart + turning(&by, row->lever_a, row->lever_b);
         open_gap(row, eightfold);
         near = near || row->impulse != 0 || row->gap <= 0 || row->gap <= -cairn_motion_half(eightfold); /* will touch within four steps */
@@ -219,7 +220,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
     }
     if (!near) {
         drift_by(arbiter, cairn_motion_eighth(across));
-        doubtful = magnitude(arbiter->slip - ALOFT) >= HOLD_SLIP || arbiter->rows[0].gap > ALOFT_GAP || arbiter->rows[1].gap > ALOFT_GAP;
+        doubtful = magnitude(arbiter->slip - ALOFT) >= HOLD_SLIP || arbiter->rows[0].gap > ALOFT_GAP || arbiter->rows[CAIRN_LAST_ROW].gap > ALOFT_GAP;
     } else {
         slip_by(arbiter, cairn_motion_eighth(across), magnitude(across) > fast);
         doubtful = doubtful || magnitude(arbiter->slip) >= HOLD_SLIP;
@@ -246,7 +247,7 @@ static inline uint8_t next_path_of_one(cairn_world *world, const cairn_arbiter *
 static inline uint8_t next_path_of_two(cairn_world *world, const cairn_arbiter *arbiter, uint8_t before)
 {
     int way = before & CAIRN_PATH_WAY;
-    bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[1].gap > 0;
+    bool apart = arbiter->rows[0].gap > 0 || arbiter->rows[CAIRN_LAST_ROW].gap > 0;
     return !apart && (way == CAIRN_PATH_EVEN || way == CAIRN_PATH_ON_STATIC) ? before : other_path(world, arbiter, before);
 }
 
@@ -255,7 +256,7 @@ static inline void follow(cairn_world *world, cairn_arbiter *arbiter, const cair
     uint8_t before = arbiter->path & (uint8_t)~(unsigned)CAIRN_PATH_FRESH, path = before | CAIRN_PATH_DOUBTED;
     if (arbiter->count == 0 || (arbiter->block & CAIRN_BLOCK_NUMBER)) { /* blocks have their own ways */
         forget(arbiter);
-    } else if (arbiter->count == 1) {
+    } else if (!cairn_arbiter_has_two(arbiter)) {
         if (follow_one(arbiter, a, b, deepest)) {
             path = next_path_of_one(world, arbiter, before);
         }
@@ -268,9 +269,9 @@ static inline void follow(cairn_world *world, cairn_arbiter *arbiter, const cair
 /* What was idle and still hangs in the air may be so again, which the next step will tell; what touches is looked at anew. */
 CAIRN_APART void follow_idle(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)
 {
-    bool two = arbiter->count > 1, serves = two ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest);
+    bool two = cairn_arbiter_has_two(arbiter), serves = two ? follow_two(world, arbiter, a, b, deepest) : follow_one(arbiter, a, b, deepest);
     unsigned turns = two ? arbiter->path & CAIRN_PATH_FRESH : 0; /* of its points, as follow_two() says */
-    unsigned apart = cairn_flag_if(two && arbiter->rows[1].gap > 0, CAIRN_PATH_APART);
+    unsigned apart = cairn_flag_if(two && arbiter->rows[CAIRN_LAST_ROW].gap > 0, CAIRN_PATH_APART);
     arbiter->path = (uint8_t)(serves && arbiter->rows[0].gap > 0 ? CAIRN_PATH_IDLE | turns | apart : CAIRN_PATH_NONE);
 }
 

@@ -65,7 +65,7 @@ bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
     if (!(body_a->model->layer & body_b->model->mask) || !(body_b->model->layer & body_a->model->mask)) {
         return false;
     }
-    return !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !world->springs->kind->joined(world, a, b);
+    return !CAIRN_WITH_SPRINGS || !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !cairn_world_springs(world)->kind->joined(world, a, b);
 }
 
 static bool any_penetrates(const cairn_manifold *manifold)
@@ -85,20 +85,20 @@ static bool passes_corner(cairn_offset margin, const cairn_manifold *manifold)
 /* The contact of two bodies in this step. */
 static void look(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
 {
-    if ((a->flags | b->flags) & CAIRN_BODY_FAST) {
-        world->continuous->meet(world, a, b, manifold);
+    if (CAIRN_WITH_CONTINUOUS && ((a->flags | b->flags) & CAIRN_BODY_FAST)) {
+        cairn_world_continuous(world)->meet(world, a, b, manifold);
         return;
     }
     cairn_offset margin = 2 * CAIRN_REACH + cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b));
     manifold->separation = margin; /* where the narrow phase finds them farther apart it says nothing */
     cairn_bodies_collide(a, b, margin, manifold);
-    if (world->continuous == NULL) {
+    if (cairn_world_continuous(world) == NULL) {
         return;
     }
     if (manifold->count != 0) {
-        world->continuous->slide(world, a, b, margin, manifold);
+        cairn_world_continuous(world)->slide(world, a, b, margin, manifold);
     } else if (passes_corner(margin, manifold)) {
-        world->continuous->meet(world, a, b, manifold);
+        cairn_world_continuous(world)->meet(world, a, b, manifold);
     }
 }
 
@@ -201,7 +201,7 @@ CAIRN_APART void keep_aloft(cairn_world *world, cairn_arbiter *arbiter, cairn_bo
     if (arbiter->rows[0].gap > CAIRN_MOTION(0.005) && are_beyond(a, b)) {
         return;
     }
-    renew(world, arbiter, arbiter->count > 1 && !(arbiter->path & CAIRN_PATH_APART));
+    renew(world, arbiter, cairn_arbiter_has_two(arbiter) && !(arbiter->path & CAIRN_PATH_APART));
     if (arbiter->friction_impulse != 0 || (((a->flags | b->flags) & CAIRN_BODY_MET) && !cairn_arbiter_idles(arbiter))) {
         cairn_arbiter_engage(world, arbiter, a, b);
     } else {

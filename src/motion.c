@@ -82,7 +82,7 @@ static inline void narrow(cairn_body *body)
 void cairn_bodies_look_ahead(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    bool watches = world->continuous != NULL;
+    bool watches = cairn_world_continuous(world) != NULL;
     world->fast = 0;
     world->coasted = false;
     unsigned awake = 0;
@@ -129,7 +129,7 @@ void cairn_bodies_end_search(cairn_world *world)
 /* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */
 static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real damping)
 {
-    if (damping == 0 || v == 0) {
+    if (!CAIRN_WITH_DAMPING || damping == 0 || v == 0) {
         return v;
     }
     cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(world->rate));
@@ -138,7 +138,7 @@ static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real 
 
 static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)
 {
-    if (body->flags & CAIRN_BODY_FIXED_POSITION) {
+    if (cairn_body_is_fixed(body)) {
         return 0;
     }
     return cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale));
@@ -227,9 +227,9 @@ static inline bool slips(const cairn_arbiter *arbiter, cairn_motion pressure)
 CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     cairn_body *b = &world->bodies[arbiter->b];
-    cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
+    cairn_motion pressure = arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
     if ((slips(arbiter, pressure) || cairn_body_is_under_way(world, b)) && !(arbiter->block & CAIRN_BLOCK_NUMBER)
-        && !(b->flags & CAIRN_BODY_FIXED_POSITION)) {
+        && !cairn_body_is_fixed(b)) {
         cairn_motion_add_lack(&b->vx, &b->vy, pressure, arbiter->friction_impulse, arbiter->normal_x, arbiter->normal_y, (cairn_lean)arbiter->friction_lever_a,
                               world->substeps, world->stats.steps);
     }
@@ -258,7 +258,7 @@ static void mark_held(cairn_world *world)
         if (!(flags & CAIRN_ARBITER_SOLVED)) {
             continue;
         }
-        cairn_motion first = arbiter->rows[0].impulse, second = arbiter->count > 1 ? arbiter->rows[1].impulse : 0;
+        cairn_motion first = arbiter->rows[0].impulse, second = cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0;
         points += arbiter->count;
         if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
             arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);

@@ -360,7 +360,7 @@ cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_stor
     if (world == NULL) {
         return CAIRN_ERROR_NULL;
     }
-    cairn_status status = check(world, storage, center, size_log2, depth);
+    cairn_status status = CAIRN_WITH_QUADTREE ? check(world, storage, center, size_log2, depth) : CAIRN_ERROR_KIND;
     if (status != CAIRN_OK) {
         return cairn_fail(world, status);
     }

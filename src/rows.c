@@ -46,7 +46,7 @@ static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
 /* Hand the impulses of points that persist to their new rows. */
 static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold)
 {
-    cairn_row old[2] = { arbiter->rows[0], arbiter->rows[1] };
+    cairn_row old[2] = { arbiter->rows[0], arbiter->rows[CAIRN_LAST_ROW] };
     int old_count = arbiter->count;
     bool kept = false;
     for (int i = 0; i < manifold->count; i++) {
@@ -74,7 +74,7 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
 /* The sweeps' quick ways have room for short levers and for bodies that are free to move. */
 static void mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
-    bool careful = ((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) || !cairn_lever_is_short(arbiter->friction_lever_a)
+    bool careful = cairn_bodies_are_fixed(a, b) || !cairn_lever_is_short(arbiter->friction_lever_a)
                 || !cairn_lever_is_short(arbiter->friction_lever_b);
     for (int i = 0; i < arbiter->count; i++) {
         careful = careful || !cairn_lever_is_short(arbiter->rows[i].lever_a) || !cairn_lever_is_short(arbiter->rows[i].lever_b);
@@ -117,8 +117,8 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     cairn_unit nx = manifold->normal_x, ny = manifold->normal_y;
     cairn_offset b_height = cairn_offset_dot(manifold->x, manifold->y, nx, ny);
     cairn_offset b_arm = cairn_offset_dot(manifold->x, manifold->y, -ny, nx);
-    cairn_factor linear = cairn_factor_from_share((a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : arbiter->share_a)
-                                                  + (b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : cairn_arbiter_share_b(arbiter)));
+    cairn_factor linear = cairn_factor_from_share((cairn_body_is_fixed(a) ? 0 : arbiter->share_a)
+                                                  + (cairn_body_is_fixed(b) ? 0 : cairn_arbiter_share_b(arbiter)));
 
     keep_impulses(arbiter, manifold);
     bool passes = passes_over(world, arbiter, b, manifold);

@@ -55,5 +55,5 @@ static void outline(const cairn_shape *shape, cairn_outline *out)
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_boxes, NULL }
+    1, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
 };

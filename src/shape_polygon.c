@@ -46,5 +46,6 @@ static void outline(const cairn_shape *shape, cairn_outline *out)
 }
 
 const cairn_shape_class cairn_polygon_class = {
-    2, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, cairn_collide_polygons, cairn_collide_polygons }
+    2, check, area, gyration, inradius, extents, outline,
+    { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_polygons), CAIRN_OF_TWO(cairn_collide_polygons) }
 };

@@ -38,8 +38,8 @@ static bool wake(cairn_world *world)
                 wake_neighbour(world, arbiter->a, arbiter->b);
             }
         }
-        if (world->springs != NULL) {
-            world->springs->kind->link(world, wake_neighbour);
+        if (cairn_world_springs(world) != NULL) {
+            cairn_world_springs(world)->kind->link(world, wake_neighbour);
         }
     } while (world->stats.awake != before); /* each round but the last wakes a body */
     return world->stats.awake != at_first;
@@ -131,8 +131,8 @@ static void settle(cairn_world *world)
             join(world, arbiter->a, arbiter->b);
         }
     }
-    if (world->springs != NULL) {
-        world->springs->kind->link(world, join);
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->link(world, join);
     }
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
@@ -160,6 +160,9 @@ cairn_status cairn_sleep_enable(cairn_world *world)
     }
     if (world->locked) {
         return cairn_fail(world, CAIRN_ERROR_LOCKED);
+    }
+    if (!CAIRN_WITH_SLEEP) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
     }
     world->sleep = &class_of_sleep;
     return CAIRN_OK;

@@ -10,7 +10,7 @@ static bool is_polygon(const cairn_body *body) { return body->model->shape->kind
 
 bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b)
 {
-    return cairn_body_is_dynamic(a) && !((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) && (is_polygon(a) || is_polygon(b));
+    return CAIRN_MAX_POINTS > 1 && cairn_body_is_dynamic(a) && !cairn_bodies_are_fixed(a, b) && (is_polygon(a) || is_polygon(b));
 }
 
 /* Within half of its size? What goes farther in a sub-step only flies past. */
@@ -24,7 +24,7 @@ static bool is_within_half(const cairn_body *body, cairn_motion way)
 static bool is_shallow(const cairn_arbiter *arbiter)
 {
     cairn_motion most = -CAIRN_MOTION(0.005 * CAIRN_SOFT_BETA_NUMBER);
-    return arbiter->rows[0].gap > most && (arbiter->count < 2 || arbiter->rows[1].gap > most);
+    return arbiter->rows[0].gap > most && (!cairn_arbiter_has_two(arbiter) || arbiter->rows[CAIRN_LAST_ROW].gap > most);
 }
 
 bool cairn_arbiter_slips_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
@@ -64,7 +64,7 @@ void cairn_arbiter_slide(const cairn_body *a, const cairn_body *b, cairn_arbiter
 
 static bool pushes(const cairn_arbiter *arbiter)
 {
-    return arbiter->rows[0].impulse != 0 || (arbiter->count > 1 && arbiter->rows[1].impulse != 0) || arbiter->friction_impulse != 0;
+    return arbiter->rows[0].impulse != 0 || (cairn_arbiter_has_two(arbiter) && arbiter->rows[CAIRN_LAST_ROW].impulse != 0) || arbiter->friction_impulse != 0;
 }
 
 void cairn_sweep_push_sliding(cairn_world *world)

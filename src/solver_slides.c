@@ -16,13 +16,13 @@ static void apply(cairn_world *world, const cairn_arbiter *arbiter, cairn_motion
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     if (arbiter->share_a != 0) {
         a->w = cairn_motion_clamp(a->w - cairn_motion_lever(cairn_motion_share(impulse, arbiter->share_a), ja), CAIRN_SWEEP_SPIN);
-        if (!(a->flags & CAIRN_BODY_FIXED_POSITION)) {
+        if (!cairn_body_is_fixed(a)) {
             a->vx = cairn_motion_clamp(a->vx - cairn_motion_share(px, arbiter->share_a), CAIRN_SWEEP_SPEED);
             a->vy = cairn_motion_clamp(a->vy - cairn_motion_share(py, arbiter->share_a), CAIRN_SWEEP_SPEED);
         }
     }
     b->w = cairn_motion_clamp(b->w + cairn_motion_lever(cairn_motion_share(impulse, cairn_arbiter_share_b(arbiter)), jb), CAIRN_SWEEP_SPIN);
-    if (!(b->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(b)) {
         b->vx = cairn_motion_clamp(b->vx + cairn_motion_share(px, cairn_arbiter_share_b(arbiter)), CAIRN_SWEEP_SPEED);
         b->vy = cairn_motion_clamp(b->vy + cairn_motion_share(py, cairn_arbiter_share_b(arbiter)), CAIRN_SWEEP_SPEED);
     }
@@ -51,7 +51,7 @@ static void push(cairn_world *world, cairn_arbiter *arbiter, cairn_row *row)
 static void rub(cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_dir tx = cairn_dir_negate(arbiter->normal_y), ty = arbiter->normal_x;
-    cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
+    cairn_motion pressure = arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
     cairn_motion u = velocity(world, arbiter, tx, ty, arbiter->friction_lever_a, arbiter->friction_lever_b);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));
@@ -68,7 +68,7 @@ static void rub(cairn_world *world, cairn_arbiter *arbiter)
 static void forget(cairn_arbiter *arbiter)
 {
     arbiter->rows[0].impulse = 0;
-    arbiter->rows[1].impulse = 0;
+    arbiter->rows[CAIRN_LAST_ROW].impulse = 0;
     arbiter->friction_impulse = 0;
 }
 
@@ -115,15 +115,15 @@ static void advance(cairn_world *world)
 
 static void solve(cairn_world *world)
 {
-    if (world->springs != NULL) {
-        world->springs->kind->prepare(world);
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->prepare(world);
     }
-    if (world->bounce != NULL) {
-        world->bounce->impact(world, 0);
+    if (cairn_world_bounce(world) != NULL) {
+        cairn_world_bounce(world)->impact(world, 0);
     }
     start(world);
-    if (world->springs != NULL) {
-        world->springs->kind->substep(world, 0);
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->substep(world, 0);
     }
     for (int k = 0; k < world->passes; k++) {
         pass(world, k == 0);
@@ -141,11 +141,14 @@ cairn_status cairn_world_use_slides_solver(cairn_world *world, int passes)
     if (world->locked) {
         return cairn_fail(world, CAIRN_ERROR_LOCKED);
     }
+    if (!CAIRN_WITH_SLIDES_SOLVER) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
+    }
     if (passes < 1 || passes > 100) {
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
-    if (world->block != NULL) {
-        world->block->kind->release(world); /* their impulses have exponents of their own */
+    if (cairn_world_block(world) != NULL) {
+        cairn_world_block(world)->kind->release(world); /* their impulses have exponents of their own */
     }
     world->solver = &cairn_solver_slides;
     world->passes = (uint8_t)passes;

@@ -55,7 +55,7 @@ static inline cairn_motion repeat(cairn_motion *v, cairn_motion *u)
 CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    bool leans = world->springs == NULL, falls_anew = gx != 0 || gy != 0; /* by a last bit now and then */
+    bool leans = cairn_world_springs(world) == NULL, falls_anew = gx != 0 || gy != 0; /* by a last bit now and then */
     for (cairn_body *body = world->bodies; body != end;) {
         if (!(body->flags & CAIRN_BODY_GOES)) {
             body = cairn_body_skip(world, body);
@@ -163,7 +163,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_body *idle = NULL;
-    world->coasted = world->fast == 0 && world->bounce == NULL; /* else continuous.c may have to look at all ways */
+    world->coasted = cairn_world_fast(world) == 0 && cairn_world_bounce(world) == NULL; /* else continuous.c may have to look at all ways */
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (goes(world, body, f)) {
             if (idle != NULL) {
@@ -196,7 +196,7 @@ static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share s
         push += part;
         turn = cairn_motion_add(turn, cairn_motion_lever(part, lever[i]));
     }
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         body->ux = cairn_motion_clamp(cairn_motion_add(body->ux, cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y)), most);
         body->uy = cairn_motion_clamp(cairn_motion_add(body->uy, cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y)), most);
     }
@@ -219,7 +219,9 @@ static bool has_room_for(const cairn_world *world, const cairn_body *body, cairn
 
 static void drop(cairn_arbiter *arbiter)
 {
-    arbiter->rows[0].impulse = arbiter->rows[1].impulse = arbiter->friction_impulse = 0;
+    arbiter->rows[0].impulse = 0;
+    arbiter->rows[CAIRN_LAST_ROW].impulse = 0;
+    arbiter->friction_impulse = 0;
     arbiter->flags |= CAIRN_ARBITER_TOUCHING;
 }
 
@@ -231,8 +233,8 @@ static void land(const cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_row *rows = arbiter->rows;
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-    bool flew = cairn_row_came_flying(&rows[0]) && (arbiter->count < 2 || cairn_row_came_flying(&rows[1]));
-    cairn_motion pressure = rows[0].impulse + (arbiter->count > 1 ? rows[1].impulse : 0);
+    bool flew = cairn_row_came_flying(&rows[0]) && (!cairn_arbiter_has_two(arbiter) || cairn_row_came_flying(&rows[CAIRN_LAST_ROW]));
+    cairn_motion pressure = rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? rows[CAIRN_LAST_ROW].impulse : 0);
     if (!flew || pressure == 0) {
         return;
     }
@@ -241,7 +243,7 @@ static void land(const cairn_world *world, cairn_arbiter *arbiter)
             drop(arbiter);
         }
     } else if (repeats_too_fast(world, a) || repeats_too_fast(world, b)) {
-        cairn_lever lever_a[2] = { rows[0].lever_a, rows[1].lever_a }, lever_b[2] = { rows[0].lever_b, rows[1].lever_b };
+        cairn_lever lever_a[2] = { rows[0].lever_a, rows[CAIRN_LAST_ROW].lever_a }, lever_b[2] = { rows[0].lever_b, rows[CAIRN_LAST_ROW].lever_b };
         forget(a, arbiter, -arbiter->share_a, lever_a, arbiter->friction_lever_a);
         forget(b, arbiter, cairn_arbiter_share_b(arbiter), lever_b, arbiter->friction_lever_b);
         drop(arbiter);
@@ -252,55 +254,55 @@ static void solve(cairn_world *world)
 {
     cairn_motion last_gx = 0, last_gy = 0;
     const fall f = fall_of(world);
-    if (world->springs != NULL) {
-        world->springs->kind->prepare(world);
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->prepare(world);
     }
-    if (world->uneven && world->block != NULL) {
-        world->block->kind->find(world);
+    if (world->uneven && cairn_world_block(world) != NULL) {
+        cairn_world_block(world)->kind->find(world);
         cairn_sweep_choose_again(world);
     }
     for (int k = 0; k < world->substeps; k++) {
-        if (world->bounce != NULL) {
-            world->bounce->impact(world, k);
+        if (cairn_world_bounce(world) != NULL) {
+            cairn_world_bounce(world)->impact(world, k);
         }
-        if (k == 0 || world->bounce != NULL) {
+        if (k == 0 || cairn_world_bounce(world) != NULL) {
             cairn_sweep_arrange(world);
         }
         cairn_motion gx = cairn_diffuse(&world->gravity_x), gy = cairn_diffuse(&world->gravity_y);
         if (k == 0) {
             start(world, &f, gx, gy);
             cairn_sweep_warm_start(world);
-            if (world->blocks != 0) {
-                world->block->kind->warm_start(world);
+            if (cairn_world_blocks(world) != 0) {
+                cairn_world_block(world)->kind->warm_start(world);
             }
         } else {
-            if (world->fast != 0) {
+            if (cairn_world_fast(world) != 0) {
                 for_each_solved(world, land);
             }
             repeat_all(world, gx - last_gx, gy - last_gy);
-            if (world->slides) {
+            if (cairn_world_slides(world)) {
                 cairn_sweep_push_sliding(world);
             }
         }
         last_gx = gx;
         last_gy = gy;
-        if (world->springs != NULL) {
-            world->springs->kind->substep(world, k);
+        if (cairn_world_springs(world) != NULL) {
+            cairn_world_springs(world)->kind->substep(world, k);
         }
-        if (k == 0 ? world->bounce != NULL : world->springs != NULL) { /* without impacts nothing has moved yet */
+        if (k == 0 ? cairn_world_bounce(world) != NULL : cairn_world_springs(world) != NULL) { /* without impacts nothing has moved yet */
             lean_all(world);
         }
         cairn_sweep_biased(world, k);
-        if (world->blocks != 0) {
-            world->block->kind->biased_pass(world);
+        if (cairn_world_blocks(world) != 0) {
+            cairn_world_block(world)->kind->biased_pass(world);
         }
         advance(world);
-        if (world->slides) {
+        if (cairn_world_slides(world)) {
             cairn_sweep_slide(world);
         }
         cairn_sweep_relax(world, k);
-        if (world->blocks != 0) {
-            world->block->kind->relax_pass(world);
+        if (cairn_world_blocks(world) != 0) {
+            cairn_world_block(world)->kind->relax_pass(world);
         }
     }
 }

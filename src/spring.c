@@ -122,6 +122,9 @@ cairn_status cairn_springs_enable(cairn_world *world, const cairn_spring_storage
     if (world->locked) {
         return cairn_fail(world, CAIRN_ERROR_LOCKED);
     }
+    if (!CAIRN_WITH_SPRINGS) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
+    }
     if (world->springs != NULL || storage->capacity == 0 || storage->capacity > 65000) {
         return cairn_fail(world, world->springs != NULL ? CAIRN_ERROR_KIND : CAIRN_ERROR_RANGE);
     }
@@ -171,7 +174,7 @@ static cairn_status check(cairn_world *world, const cairn_spring_def *def)
     if (world->locked) {
         return CAIRN_ERROR_LOCKED;
     }
-    if (world->springs == NULL) {
+    if (cairn_world_springs(world) == NULL) {
         return CAIRN_ERROR_KIND;
     }
     if (cairn_body_find(world, def->a) == NULL || cairn_body_find(world, def->b) == NULL) {

@@ -136,7 +136,7 @@ void cairn_spring_paths(cairn_world *world)
 /* How an impulse along s changes the velocity along its neighbour t: the share of their common body, of which one begins where the other ends. */
 static cairn_factor coupling(const cairn_body *common, const cairn_spring *s, const cairn_spring *t, cairn_share share, cairn_lever js, cairn_lever jt)
 {
-    cairn_factor linear = common->flags & CAIRN_BODY_FIXED_POSITION ? 0
+    cairn_factor linear = cairn_body_is_fixed(common) ? 0
                         : cairn_factor_mul(cairn_factor_from_share(share), cairn_factor_from_share(cairn_spring_cosine(s, t)));
     return -linear - cairn_factor_spin(share, js, jt);
 }

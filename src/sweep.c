@@ -38,7 +38,7 @@ typedef struct pair_state {
 CAIRN_INLINE bool is_even(int path) { return path == CAIRN_PATH_EVEN || path == CAIRN_PATH_EVEN_CENTRAL; }
 CAIRN_INLINE bool is_central(int path) { return path == CAIRN_PATH_CENTRAL || path == CAIRN_PATH_EVEN_CENTRAL; }
 CAIRN_INLINE bool may_be_apart(int path) { return path != CAIRN_PATH_ON_STATIC && path != CAIRN_PATH_EVEN; }
-CAIRN_INLINE bool has_two_points(int path) { return !is_central(path) && path != CAIRN_PATH_SINGLE; }
+CAIRN_INLINE bool has_two_points(int path) { return CAIRN_MAX_POINTS > 1 && !is_central(path) && path != CAIRN_PATH_SINGLE; }
 
 CAIRN_INLINE bool is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
@@ -176,11 +176,11 @@ CAIRN_INLINE void finish(pair_state *pair, cairn_body *a, cairn_body *b, const c
 static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
     const cairn_row *rows = arbiter->rows;
-    bool second = arbiter->count > 1;
-    if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[1].impulse != 0)) {
+    bool second = cairn_arbiter_has_two(arbiter);
+    if (rows[0].impulse != 0 || arbiter->friction_impulse != 0 || (second && rows[CAIRN_LAST_ROW].impulse != 0)) {
         return false;
     }
-    cairn_motion gap = second && rows[1].gap < rows[0].gap ? rows[1].gap : rows[0].gap;
+    cairn_motion gap = second && rows[CAIRN_LAST_ROW].gap < rows[0].gap ? rows[CAIRN_LAST_ROW].gap : rows[0].gap;
     cairn_motion vx = b->vx - a->vx, vy = b->vy - a->vy;
     cairn_motion x = cairn_motion_half(b->dx) - cairn_motion_half(a->dx), y = cairn_motion_half(b->dy) - cairn_motion_half(a->dy);
     cairn_size spin = cairn_size_with(cairn_size_with(cairn_size_with(cairn_size_of(a->w), b->w), a->dw), b->dw);
@@ -197,7 +197,8 @@ static bool is_far(const cairn_body *a, const cairn_body *b, const cairn_arbiter
 
 CAIRN_INLINE bool is_out(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
 {
-    bool may_be_far = !may_be_apart(path) ? false : has_two_points(path) ? (arbiter->path & CAIRN_PATH_APART) != 0 : arbiter->rows[0].gap > 0;
+    bool by_flag = path == CAIRN_PATH_CAREFUL || has_two_points(path);
+    bool may_be_far = !may_be_apart(path) ? false : by_flag ? (arbiter->path & CAIRN_PATH_APART) != 0 : arbiter->rows[0].gap > 0;
     return may_be_far && is_far(a, b, arbiter);
 }
 
@@ -209,7 +210,7 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
     const cairn_row *rows = arbiter->rows;
     cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
     if (has_two_points(path)) {
-        size = cairn_size_with(size, rows[1].impulse);
+        size = cairn_size_with(size, rows[CAIRN_LAST_ROW].impulse);
     }
     if (!cairn_size_is_below(size, CALM) || !is_calm(a, b, path, true)) {
         cairn_careful_warm_start(world, arbiter, from_last);
@@ -218,7 +219,7 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
     pair_state pair = load(a, b);
     press(&pair, arbiter, &rows[0], rows[0].impulse, path);
     if (has_two_points(path)) {
-        press(&pair, arbiter, &rows[1], rows[1].impulse, path);
+        press(&pair, arbiter, &rows[CAIRN_LAST_ROW], rows[CAIRN_LAST_ROW].impulse, path);
     }
     finish(&pair, a, b, arbiter, arbiter->friction_impulse, path);
 }
@@ -336,6 +337,20 @@ CAIRN_INLINE void careful_relax(const cairn_world *world, cairn_body *a, cairn_b
     }
 }
 
+#ifdef __OPTIMIZE_SIZE__
+
+/* In few bytes: the quick ways are one, which asks its path as it goes. */
+#define WAYS(pass) \
+    WAY(pass##_careful, careful_##pass, CAIRN_PATH_CAREFUL) \
+    WAY(pass##_quick, pass, (int)(path & CAIRN_PATH_WAY)) \
+    static way *const pass##_ways[] = { pass##_quick, pass##_careful, pass##_careful, pass##_quick, \
+                                        pass##_quick, pass##_quick,   pass##_quick,   pass##_quick };
+WAYS(warm_start)
+WAYS(biased)
+WAYS(relax)
+
+#else
+
 /* By CAIRN_PATH_TURN; the first place, which is none's, is that of CAIRN_PATH_EVEN_CENTRAL. */
 #define WAYS(pass) \
     WAY(pass##_careful, careful_##pass, CAIRN_PATH_CAREFUL) \
@@ -345,8 +360,8 @@ CAIRN_INLINE void careful_relax(const cairn_world *world, cairn_body *a, cairn_b
     WAY(pass##_single, pass, CAIRN_PATH_SINGLE) \
     WAY(pass##_shared, pass, CAIRN_PATH_SHARED) \
     WAY(pass##_even, pass, CAIRN_PATH_EVEN) \
-    static way *const pass##_ways[] = { pass##_even_central, pass##_careful, pass##_careful, pass##_on_static, \
-                                        pass##_central,      pass##_single,  pass##_shared,  pass##_even };
+    static way *const pass##_ways[] = { pass##_even_central, pass##_careful, pass##_careful, CAIRN_OF_TWO(pass##_on_static), \
+                                        pass##_central, pass##_single, CAIRN_OF_TWO(pass##_shared), CAIRN_OF_TWO(pass##_even) };
 
 WAYS(biased)
 WAYS(relax)
@@ -357,8 +372,10 @@ WAY(warm_start_even, warm_start, CAIRN_PATH_EVEN)
 WAY(warm_start_shared, warm_start, CAIRN_PATH_SHARED)
 WAY(warm_start_single, warm_start, CAIRN_PATH_SINGLE)
 WAY(warm_start_even_central, warm_start, CAIRN_PATH_EVEN_CENTRAL)
-static way *const warm_start_ways[] = { warm_start_even_central, warm_start_careful, warm_start_careful, warm_start_shared,
-                                        warm_start_single,       warm_start_single,  warm_start_shared,  warm_start_even };
+static way *const warm_start_ways[] = { warm_start_even_central, warm_start_careful, warm_start_careful, CAIRN_OF_TWO(warm_start_shared),
+                                        warm_start_single, warm_start_single, CAIRN_OF_TWO(warm_start_shared), CAIRN_OF_TWO(warm_start_even) };
+
+#endif
 
 /* Of the flags that tell a path from another one of the same turn, the one of CAIRN_PATH_EVEN_CENTRAL. */
 #define ALIKE ((unsigned)CAIRN_PATH_WAY & ~(unsigned)CAIRN_PATH_TURN)
@@ -370,8 +387,8 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     if (!(arbiter->flags & CAIRN_ARBITER_SOLVED) || (arbiter->block & CAIRN_BLOCK_NUMBER)) {
         return CAIRN_PATH_NONE;
     }
-    bool first = arbiter->rows[0].gap > 0, second = arbiter->count > 1 && arbiter->rows[1].gap > 0;
-    int apart = first && (second || arbiter->count < 2) ? CAIRN_PATH_APART : 0;
+    bool first = arbiter->rows[0].gap > 0, second = cairn_arbiter_has_two(arbiter) && arbiter->rows[CAIRN_LAST_ROW].gap > 0;
+    int apart = first && (second || !cairn_arbiter_has_two(arbiter)) ? CAIRN_PATH_APART : 0;
     if (cairn_arbiter_is_sliding(arbiter)) {
         return CAIRN_PATH_SLIDING + apart;
     }
@@ -379,7 +396,7 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
     if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
-    if (arbiter->count == 1) {
+    if (!cairn_arbiter_has_two(arbiter)) {
         bool central = arbiter->rows[0].lever_a == 0 && arbiter->rows[0].lever_b == 0;
         bool alike = arbiter->share_a == CAIRN_SHARE(0.5) && arbiter->friction_lever_a == -arbiter->friction_lever_b;
         return !central ? CAIRN_PATH_SINGLE : alike ? CAIRN_PATH_EVEN_CENTRAL : CAIRN_PATH_CENTRAL;
@@ -393,7 +410,7 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
 uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arbiter, unsigned fresh)
 {
     unsigned path = (unsigned)path_of(world, arbiter);
-    if (path != CAIRN_PATH_NONE && arbiter->count > 1) { /* of one point it makes no difference */
+    if (path != CAIRN_PATH_NONE && cairn_arbiter_has_two(arbiter)) { /* of one point it makes no difference */
         path |= fresh | cairn_flag_if(!(arbiter->flags & CAIRN_ARBITER_ON_STATIC), CAIRN_PATH_FREE);
     }
     return (uint8_t)path;

@@ -66,7 +66,7 @@ static cairn_motion relaxed(const cairn_body *a, const cairn_body *b, const cair
  */
 cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *arbiter, cairn_motion u, cairn_motion impulse)
 {
-    cairn_motion pressure = arbiter->rows[0].impulse + (arbiter->count > 1 ? arbiter->rows[1].impulse : 0);
+    cairn_motion pressure = arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
     cairn_motion kinetic = cairn_motion_factor(pressure, arbiter->kinetic_friction);
     if (impulse > kinetic || -impulse > kinetic) {
         cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));
@@ -128,8 +128,8 @@ static void press(pair_state *pair, const cairn_arbiter *arbiter, cairn_row *row
     row->impulse = impulse;
     turn(pair->a, -of_a, row->lever_a, arbiter);
     turn(pair->b, of_b, row->lever_b, arbiter);
-    of_a = pair->a->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_a;
-    of_b = pair->b->flags & CAIRN_BODY_FIXED_POSITION ? 0 : of_b;
+    of_a = cairn_body_is_fixed(pair->a) ? 0 : of_a;
+    of_b = cairn_body_is_fixed(pair->b) ? 0 : of_b;
     pair->linear += of_a + of_b;
     pair->push_a += of_a;
     pair->push_b += of_b;
@@ -137,7 +137,7 @@ static void press(pair_state *pair, const cairn_arbiter *arbiter, cairn_row *row
 
 static void shift(cairn_body *body, const cairn_arbiter *arbiter, cairn_motion push, cairn_motion rub)
 {
-    if (!(body->flags & CAIRN_BODY_FIXED_POSITION)) {
+    if (!cairn_body_is_fixed(body)) {
         body->vx = cairn_motion_clamp(body->vx + cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
         body->vy = cairn_motion_clamp(body->vy + cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y), CAIRN_SWEEP_SPEED);
     }
@@ -209,7 +209,7 @@ void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, 
         press(&pair, arbiter, row, relaxed(a, b, arbiter, row, velocity(&pair, pair.linear, row->lever_a, row->lever_b)));
     }
     cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    cairn_motion pull = arbiter->count < 2 ? 0 : cairn_arbiter_pull(world, arbiter);
+    cairn_motion pull = !cairn_arbiter_has_two(arbiter) ? 0 : cairn_arbiter_pull(world, arbiter);
     cairn_motion impulse = cairn_arbiter_rub(world, arbiter, u, less(arbiter->friction_impulse, u + pull, arbiter->friction_mass));
     cairn_motion rub = impulse - arbiter->friction_impulse;
     arbiter->friction_impulse = impulse;

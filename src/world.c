@@ -42,8 +42,8 @@ static void rescale(cairn_world *world, cairn_wide old)
         cairn_body_limit_speed(world, body);
     }
     cairn_arbiters_scale_impulses(world, squared);
-    if (world->springs != NULL) {
-        world->springs->changed = true;
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->changed = true;
     }
 }
 
@@ -51,8 +51,8 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
                                    const cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
-        || storage->swept == NULL || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0 || storage->body_capacity > 65000
-        || storage->arbiter_capacity > 65000) {
+        || storage->swept == NULL || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0
+        || storage->body_capacity > 65000 || storage->arbiter_capacity > 65000 || (!CAIRN_WITH_CONTINUOUS && continuous != NULL)) {
         return NULL;
     }
     cairn_world *world = storage->world;
@@ -85,7 +85,7 @@ static void find_pairs(cairn_world *world)
 {
     uint32_t dropped = world->stats.dropped;
     world->broad->find_pairs(world);
-    if (world->sleep != NULL && world->sleep->wake(world)) {
+    if (cairn_world_sleep(world) != NULL && cairn_world_sleep(world)->wake(world)) {
         world->stats.pairs = 0;
         world->stats.dropped = dropped;
         world->broad->find_pairs(world); /* what woke has pairs of its own */
@@ -95,7 +95,7 @@ static void find_pairs(cairn_world *world)
 /* Nothing moved in the step before, and nothing has woken since: nothing will happen. */
 static bool is_all_asleep(const cairn_world *world)
 {
-    if (world->sleep == NULL || world->stats.awake != 0) {
+    if (cairn_world_sleep(world) == NULL || world->stats.awake != 0) {
         return false;
     }
     for (uint16_t i = 0; i < world->body_end; i++) {
@@ -120,8 +120,8 @@ cairn_status cairn_world_step(cairn_world *world)
     if (is_all_asleep(world)) {
         return CAIRN_OK;
     }
-    if (world->sleep != NULL) {
-        world->sleep->wake(world);
+    if (cairn_world_sleep(world) != NULL) {
+        cairn_world_sleep(world)->wake(world);
     }
     cairn_bodies_look_ahead(world);
     cairn_arbiters_begin(world);
@@ -133,12 +133,12 @@ cairn_status cairn_world_step(cairn_world *world)
     if (world->stats.awake != 0) {
         world->solver->solve(world);
     }
-    if (world->fast != 0) {
-        world->continuous->clip(world);
+    if (cairn_world_fast(world) != 0) {
+        cairn_world_continuous(world)->clip(world);
     }
     cairn_bodies_finish(world);
-    if (world->sleep != NULL) {
-        world->sleep->settle(world);
+    if (cairn_world_sleep(world) != NULL) {
+        cairn_world_sleep(world)->settle(world);
     }
     return CAIRN_OK;
 }

@@ -29,7 +29,7 @@ typedef struct cairn_arbiter {
     uint8_t path;  /* which way the sweeps take in this step, see sweep.c */
     uint16_t a, b; /* indices of the bodies; the normal points from a to b */
     cairn_dir normal_x, normal_y;
-    cairn_row rows[2];
+    cairn_row rows[CAIRN_MAX_POINTS];
     cairn_motion friction_impulse; /* accumulated, along (-normal_y, normal_x) */
     cairn_lever friction_lever_a, friction_lever_b; /* where a is static, and never turns, the first is a cairn_lean: of the normal */
     cairn_ratio friction_mass;

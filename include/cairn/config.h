@@ -14,14 +14,68 @@
 #error "CAIRN_MAX_VERTICES must be 4 to 16"
 #endif
 
+/*
+ * What a game is sure not to need, the compiler can leave out: 0 for each such feature. Calls that enable it, and models that ask for it, are
+ * then refused with CAIRN_ERROR_KIND. What is merely not called is not linked anyway; these take out what the step would ask again and again.
+ * `tools/cairn trim` writes such a header from a scene.
+ */
+#ifndef CAIRN_WITH_SPRINGS
+#define CAIRN_WITH_SPRINGS 1
+#endif
+#ifndef CAIRN_WITH_BOUNCE
+#define CAIRN_WITH_BOUNCE 1 /* materials that bounce */
+#endif
+#ifndef CAIRN_WITH_CONTINUOUS
+#define CAIRN_WITH_CONTINUOUS 1 /* worlds that watch fast bodies */
+#endif
+#ifndef CAIRN_WITH_BLOCKS
+#define CAIRN_WITH_BLOCKS 1
+#endif
+#ifndef CAIRN_WITH_SLEEP
+#define CAIRN_WITH_SLEEP 1
+#endif
+#ifndef CAIRN_WITH_QUADTREE
+#define CAIRN_WITH_QUADTREE 1
+#endif
+#ifndef CAIRN_WITH_SLIDES_SOLVER
+#define CAIRN_WITH_SLIDES_SOLVER 1
+#endif
+#ifndef CAIRN_WITH_FIXED_POSITION
+#define CAIRN_WITH_FIXED_POSITION 1 /* bodies that turn in their place */
+#endif
+#ifndef CAIRN_WITH_SENSORS
+#define CAIRN_WITH_SENSORS 1
+#endif
+#ifndef CAIRN_WITH_DAMPING
+#define CAIRN_WITH_DAMPING 1
+#endif
+/* Most points of a contact: 2, or 1 where all that moves is round, which takes a third off an arbiter. */
+#ifndef CAIRN_MAX_POINTS
+#define CAIRN_MAX_POINTS 2
+#endif
+
+#define CAIRN_IS_FLAG(option) ((option) == 0 || (option) == 1)
+#if !CAIRN_IS_FLAG(CAIRN_WITH_SPRINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_BOUNCE) || !CAIRN_IS_FLAG(CAIRN_WITH_CONTINUOUS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_BLOCKS) || !CAIRN_IS_FLAG(CAIRN_WITH_SLEEP) || !CAIRN_IS_FLAG(CAIRN_WITH_QUADTREE) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING)
+#error "each CAIRN_WITH_... must be 0 or 1"
+#endif
+#if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2
+#error "CAIRN_MAX_POINTS must be 1 or 2"
+#endif
+#if CAIRN_MAX_POINTS == 1 && CAIRN_WITH_BLOCKS
+#error "CAIRN_MAX_POINTS 1 needs CAIRN_WITH_BLOCKS 0"
+#endif
+
 /* Called with 0 when an invariant of the library's own is broken. A game may route it or compile it out. */
 #ifndef CAIRN_ASSERT
 #define CAIRN_ASSERT(condition) ((void)0)
 #endif
 
-/* For functions whose arguments are mostly constants: they must not become calls, but where branches are counted. */
+/* For functions whose arguments are mostly constants: they must not become calls, but where branches are counted, or bytes. */
 #if defined(CAIRN_INLINE)
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define CAIRN_INLINE static inline __attribute__((always_inline))
 #else
 #define CAIRN_INLINE static inline

@@ -157,7 +157,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
 /* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
 {
-    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, &cairn_continuous);
+    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, CAIRN_WITH_CONTINUOUS ? &cairn_continuous : NULL);
 }
 
 /* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */

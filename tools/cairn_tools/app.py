@@ -52,6 +52,7 @@ from .terminal import (
     writable,
 )
 from .trajectory import Trajectory
+from .trim_command import command as trim_command
 
 app = typer.Typer(
     help="Cairn: 2-D rigid-body physics for microcontrollers. Runs, compares and measures scenes.",
@@ -73,6 +74,7 @@ SEVERAL = {
     "golden": {"--targets"},
     "stability": {"--case", "--engine", "--solver"},
     "sweep": {"--core", "--vary"},
+    "trim": {"--keep"},
 }
 
 Show = Callable[[Table], None]
@@ -417,6 +419,7 @@ def stability(
 
 
 app.command()(accuracy_module.accuracy)
+app.command("trim")(trim_command)
 app.command()(oracle_module.oracle)
 app.command()(play_module.play)
 app.command("footprint")(footprint_module.command)

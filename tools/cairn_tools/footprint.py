@@ -98,11 +98,11 @@ def measure(cores: tuple[str, ...], say: Say) -> list[Row]:
     rows: list[Row] = []
     for core in cores:
         say(f"feature sets on {core}")
-        sizes = {name: _sizes(image) for name, image in build(core).items()}
-        bare = sizes["none"]
+        sized = {name: sizes(image) for name, image in build(core).items()}
+        bare = sized["none"]
         for entry in SETS[1:]:
-            flash, ram = (size - without for size, without in zip(sizes[entry.name], bare, strict=True))
-            added = sizes[entry.name][0] - sizes["base"][0] if entry.what.startswith("+") else None
+            flash, ram = (size - without for size, without in zip(sized[entry.name], bare, strict=True))
+            added = sized[entry.name][0] - sized["base"][0] if entry.what.startswith("+") else None
             goals = (entry.flash_goal, entry.ram_goal) if core == "m0" else (None, None)
             rows.append(Row(core, entry.name, entry.what, flash, ram, added, *goals))
     return rows
@@ -121,12 +121,12 @@ def build(core: str) -> dict[str, Path]:
     return {entry.name: folder / entry.name for entry in SETS}
 
 
-def _sizes(image: Path) -> tuple[int, int]:
-    """Flash and RAM: initialised variables are in both."""
+def sizes(image: Path) -> tuple[int, int]:
+    """Flash and RAM, without the stack: initialised variables are in both."""
     flash = ram = 0
     with image.open("rb") as binary:
         for section in ELFFile(binary).iter_sections():
-            if section["sh_flags"] & TAKES_ROOM:
+            if section["sh_flags"] & TAKES_ROOM and section.name != ".stack":
                 flash += section["sh_size"] if section["sh_type"] != "SHT_NOBITS" else 0
                 ram += section["sh_size"] if section["sh_flags"] & WRITES else 0
     return flash, ram

@@ -130,16 +130,19 @@ static void print_state(cairn_world *world, const cairn_scene *scene, runner_mem
 /* What any step needed of the pools. */
 typedef struct runner_most {
     uint16_t points, arbiters, cells, entries;
+    uint16_t kept; /* entries, and the pairs that the tree keeps behind them */
 } runner_most;
 
 static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
 
-static void keep_most(runner_most *most, const cairn_world_stats *stats)
+static void keep_most(runner_most *most, const cairn_world *world)
 {
+    const cairn_world_stats *stats = cairn_world_get_stats(world);
     most->points = larger(most->points, stats->points);
     most->arbiters = larger(most->arbiters, stats->arbiters);
     most->cells = larger(most->cells, stats->tree_cells);
     most->entries = larger(most->entries, stats->tree_entries);
+    most->kept = larger(most->kept, world->tree == NULL ? 0 : world->tree->pair_end);
 }
 
 static void print_stats(const cairn_world *world, const runner_most *most)
@@ -151,6 +154,7 @@ static void print_stats(const cairn_world *world, const runner_most *most)
     print_number_line("stat most_arbiters", most->arbiters);
     print_number_line("stat most_tree_cells", most->cells);
     print_number_line("stat most_tree_entries", most->entries);
+    print_number_line("stat most_tree_kept", most->kept);
     print_number_line("stat pairs", stats->pairs);
     print_number_line("stat awake", stats->awake);
     print_number_line("stat dropped_contacts", stats->dropped);
@@ -229,7 +233,7 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
     }
     const uint32_t before = cairn_port_clock();
     const uint32_t clock_cost = cairn_port_clock() - before;
-    runner_most most = {0, 0, 0, 0};
+    runner_most most = {0, 0, 0, 0, 0};
     cairn_port_stack_paint();
     for (uint32_t step = 0; step <= options->steps; step++) {
         if (step > 0) {
@@ -243,7 +247,7 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
             if (options->costs) {
                 print_number_line("cost", cost);
             }
-            keep_most(&most, cairn_world_get_stats(world));
+            keep_most(&most, world);
         }
         if (options->every > 0 && step % options->every == 0) {
             print_state(world, &scene, memory, step);

@@ -1,0 +1,113 @@
+"""tools/cairn trim: what it finds that a scene needs, the folder it writes, and that bad input writes nothing."""
+
+import json
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from cairn_tools import engine, scene, trim
+from cairn_tools.errors import UserError
+
+ROOT = Path(__file__).parents[2]
+WISH = trim.Wish(60, 20, None, (), None, None)
+
+
+def named(name: str) -> scene.Scene:
+    return scene.load(scene.find(name))
+
+
+def needs(*names: str, wish: trim.Wish = WISH) -> trim.Needs:
+    scenes = [named(name) for name in names]
+    return trim.needs_of(scenes, [engine.run(one, "q16", "host", wish.steps, 1) for one in scenes], wish)
+
+
+def test_round_bodies_need_one_point_and_only_what_they_use() -> None:
+    found = needs("curtain150")
+    on = {name for name, value in found.options.items() if name.startswith("CAIRN_WITH") and value}
+    assert on == {"CAIRN_WITH_SPRINGS"}
+    assert found.options["CAIRN_MAX_POINTS"] == 1
+    assert found.pools == {"bodies": 150, "arbiters": 1, "springs": 261}
+
+
+def test_several_scenes_need_what_any_of_them_does() -> None:
+    found = needs("curtain150", "stack10")
+    assert found.options["CAIRN_WITH_SPRINGS"] == 1
+    assert found.options["CAIRN_MAX_POINTS"] == 2
+    assert found.pools["arbiters"] >= 12  # ten contacts and a fifth more
+
+
+def test_what_the_user_keeps_stays() -> None:
+    assert needs("stack10").options["CAIRN_WITH_SLEEP"] == 0
+    assert needs("stack10", wish=replace(WISH, keep=("sleep",))).options["CAIRN_WITH_SLEEP"] == 1
+
+
+def test_fast_bodies_need_continuous_collision_within_the_margin() -> None:
+    assert needs("projectile").options["CAIRN_WITH_CONTINUOUS"] == 1
+    assert needs("stack10").options["CAIRN_WITH_CONTINUOUS"] == 0
+
+
+def test_sub_steps_are_the_fewest_within_the_tolerance() -> None:
+    found, error = trim.with_substeps(named("stack10"), replace(WISH, tolerance=0.01), print)
+    assert error <= 0.01
+    assert 1 <= found.substeps <= 16
+
+
+def test_a_tolerance_that_nothing_holds_is_refused() -> None:
+    with pytest.raises(UserError, match="no sub-steps keep it within 1e-12 m"):
+        trim.with_substeps(named("projectile"), replace(WISH, tolerance=1e-12), print)
+
+
+def crowd(folder: Path, count: int) -> Path:
+    """Discs all in one place: more pairs than the pool of arbiters has room for."""
+    body = {"shape": "disc", "position": [0, 0]}
+    data = {"cairn_scene": 1, "name": "crowd", "shapes": {"disc": {"circle": 0.5}}, "bodies": [body] * count}
+    file = folder / "crowd.json"
+    file.write_text(json.dumps(data), encoding="utf-8")
+    return file
+
+
+def test_a_scene_that_overflows_its_pool_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match="overflows the pool of arbiters"):
+        trim.peaks(scene.load(crowd(tmp_path, 40)), replace(WISH, steps=2), print)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["no_such_scene"], "no such scene file"),
+        (["stack10", "--tolerance", "-1"], "must be above zero"),
+        (["stack10", "--tolerance", "nan"], "must be above zero"),
+        (["stack10", "--keep", "magic"], "no such feature"),
+        (["stack10", "--margin", "-5"], "--margin"),
+    ],
+)
+def test_bad_input_gives_one_line_and_writes_nothing(tmp_path: Path, words: list[str], said: str) -> None:
+    out = tmp_path / "trimmed"
+    command = [ROOT / "tools" / "cairn", "trim", *words, "--out", out]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert said in done.stderr
+    assert not out.exists()
+
+
+def test_an_unknown_field_gives_one_line_and_writes_nothing(tmp_path: Path) -> None:
+    file = tmp_path / "bad.json"
+    file.write_text('{"cairn_scene": 1, "name": "bad", "shapes": {}, "bodies": [], "gravty": 1}', encoding="utf-8")
+    command = [ROOT / "tools" / "cairn", "trim", file, "--out", tmp_path / "trimmed"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert not (tmp_path / "trimmed").exists()
+
+
+def test_the_trimmed_tower_is_smaller_with_the_same_bits(tmp_path: Path) -> None:
+    wish = replace(WISH, steps=20)
+    _, (row,) = trim.trim([named("tower")], wish, tmp_path / "trimmed", print)
+    assert row.before.hash == row.after.hash == engine.run(named("tower"), "q16", "host", 20, 0).hash
+    assert row.ram_saved >= 0.3
+    assert row.flash_saved > 0
+    names = {"cairn_trim.h", "scene.c", "scene.h", "scene_tower.c", "trim.cmake", "SUMMARY.json"}
+    assert {file.name for file in (tmp_path / "trimmed").iterdir()} == names
+    with pytest.raises(UserError, match="bytes of flash"):
+        trim._check_limits([row.after], replace(wish, flash=100))
