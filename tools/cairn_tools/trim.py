@@ -202,7 +202,7 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
     """Why a scene needs a feature; empty if it does not."""
     way = _fastest(scene, run)
     found: dict[str, Callable[[], Any]] = {
-        "SPRINGS": lambda: scene.springs and f"{len(scene.springs)} springs",
+        "SPRINGS": lambda: scene.springs and f"springs, {len(scene.springs)} of them",
         "BOUNCE": lambda: any(scene.material(b.material).restitution > 0 for b in scene.bodies) and "bouncing bodies",
         "CONTINUOUS": lambda: way * (1 + wish.margin / 100) > FAST and f"{way:.0%} of a smallest half size in a step",
         "BLOCKS": lambda: _unevenness(scene) > UNEVEN and f"masses differ by {_unevenness(scene):.3g} times",

@@ -47,7 +47,10 @@ def command(
 
 
 def _sizes(result: list[trim.Trimmed]) -> Table:
-    caption = "M0, gcc -Os -flto: bytes beyond the same image without Cairn, instructions a step"
+    caption = "M0, gcc -Os -flto: bytes beyond the same image without Cairn, instructions a step.\n"
+    caption += "All hashes of trimmed builds are those of all of Cairn with the same settings."
+    if len(result) > 1:
+        caption += "\nThe trimmed images have what any of the scenes needs, the others what theirs does."
     grid = Table(title="Trimmed", caption=caption)
     for column in ("scene", "build", "flash", "RAM", "step's stack", "mean", "worst", "hash"):
         grid.add_column(column, justify="left" if column in ("scene", "build", "hash") else "right")

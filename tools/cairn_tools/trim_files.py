@@ -27,7 +27,7 @@ def write(folder: Path, scenes: list[Scene], needs: Needs, wish: Wish) -> None:
     for scene, name in zip(scenes, names, strict=True):
         table = engine.table(scene, f"scene_{name}").partition(POOLS_FROM)[0]
         (folder / f"scene_{name}.c").write_text(table, encoding="utf-8")
-    (folder / "scene.h").write_text(_scene_header(names, by), encoding="utf-8")
+    (folder / "cairn_trim_scenes.h").write_text(_scene_header(names, by), encoding="utf-8")
     pools = _pools(needs, f"{by}: {wish.steps} steps, {wish.margin:g} % more.")
     (folder / "scene.c").write_text(pools, encoding="utf-8")
     (folder / "trim.cmake").write_text(_fragment(names, by), encoding="utf-8")
@@ -44,7 +44,7 @@ def _header(needs: Needs, by: str) -> str:
 def _scene_header(names: list[str], by: str) -> str:
     scenes = "\n".join(f"extern const cairn_scene scene_{name};" for name in names)
     return (
-        f"/* {by}. */\n#ifndef CAIRN_TRIM_SCENE_H\n#define CAIRN_TRIM_SCENE_H\n\n#include <scene.h>\n\n{scenes}\n\n"
+        f"/* {by}. */\n#ifndef CAIRN_TRIM_SCENES_H\n#define CAIRN_TRIM_SCENES_H\n\n#include <scene.h>\n\n{scenes}\n\n"
         "/* The memory to build any of them in. */\nextern const cairn_scene_storage scene_storage;\n\n#endif\n"
     )
 
@@ -74,7 +74,7 @@ target_compile_definitions(cairn PUBLIC "CAIRN_CONFIG=\\"${{CMAKE_CURRENT_LIST_D
 add_library(cairn_trimmed STATIC
     "${{cairn_SOURCE_DIR}}/examples/scene/scene.c"
     "${{CMAKE_CURRENT_LIST_DIR}}/scene.c"{sources})
-target_include_directories(cairn_trimmed PUBLIC "${{cairn_SOURCE_DIR}}/examples/scene")
+target_include_directories(cairn_trimmed PUBLIC "${{cairn_SOURCE_DIR}}/examples/scene" "${{CMAKE_CURRENT_LIST_DIR}}")
 target_link_libraries(cairn_trimmed PUBLIC cairn::cairn)
 """
 
