@@ -60,7 +60,7 @@ def show(rows: list[dict[str, Any]], out: Console) -> None:
         table.add_row(row["scene"], str(STEPS), str(row["contacts"]), *numbers, bits)
     out.print(table)
     out.print("contacts: points at the last step. M0, M3: mean instructions a step.")
-    out.print("q16 to f64: the largest distance between fixed point and double, on the host.")
+    out.print("q16 to f64: the largest distance between fixed point and double, on the host, until chaos parts them.")
     out.print("bits: whether the host, the M0 and the M3 end in the same state to the bit.")
     out.print(f"Pictures: {PICTURES.relative_to(ROOT)}/")
 

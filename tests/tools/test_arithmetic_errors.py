@@ -42,8 +42,12 @@ def test_ours_and_theirs_have_a_table_each(kept):
 def test_another_arithmetic_is_told_from_the_kept_one(kept, tmp_path, monkeypatch):
     file = tmp_path / "errors.json"
     monkeypatch.setattr(arithmetic, "KEPT", file)
-    arithmetic.keep([dataclasses.replace(row, rms=1.0) for row in kept], kept)
+    sample = list(arithmetic.run(arithmetic.SAMPLE, lambda text: None))
+    arithmetic.keep([dataclasses.replace(row, rms=row.rms * 1.001) for row in sample], kept)
     with pytest.raises(UserError, match="comes out otherwise"):
+        arithmetic.measure(lambda text: None)
+    arithmetic.keep([*sample, dataclasses.replace(sample[0], operation="real_gone")], kept)
+    with pytest.raises(UserError, match="real_gone is measured no more"):
         arithmetic.measure(lambda text: None)
     file.write_text("{}")
     with pytest.raises(UserError, match="cannot be read"):

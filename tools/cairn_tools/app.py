@@ -46,6 +46,7 @@ from .terminal import (
     SolverOption,
     SubstepsOption,
     folder,
+    hold_to_record,
     load_scene,
     out,
     working,
@@ -307,17 +308,11 @@ def _bench_memory(cores: list[str], keep: bool, check: bool, as_json: bool, show
     if keep:
         memory_module.write(rows)
     if check:
-        lines = list(memory_module.troubles(rows))
-        for line in lines:
-            print(line, file=sys.stderr if as_json else sys.stdout)
-        if not as_json:
-            print(f"{len(rows) - len(lines)} passed, {len(lines)} failed in {monotonic() - started:.1f}s")
-        if lines:
-            raise typer.Exit(1)
+        hold_to_record(list(memory_module.troubles(rows)), len(rows), started, as_json)
 
 
 def _bench_record(keep: bool) -> None:
-    """Writes the record, or checks it; tools/test reads the last line."""
+    """Writes the record, or checks it."""
     started = monotonic()
     with working("bench") as say:
         if keep:
@@ -325,13 +320,7 @@ def _bench_record(keep: bool) -> None:
             print(f"{kept_module.FILE.relative_to(engine.ROOT)} is written")
             return
         lines = list(kept_module.troubles(say))
-    for line in lines:
-        print(line)
-    bad = sum(not line.startswith(" ") for line in lines)
-    counts = 2 * len(kept_module.CORES) * len(kept_module.SCENES)
-    print(f"{counts - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
-    if bad:
-        raise typer.Exit(1)
+    hold_to_record(lines, 2 * len(kept_module.CORES) * len(kept_module.SCENES), started)
 
 
 def _bench_cycles(scenes: list[scene.Scene], cores: list[str], profile: bool, as_json: bool, show: Show) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from dataclasses import asdict
 from time import monotonic
 from typing import Annotated
@@ -13,7 +12,7 @@ from rich.table import Table
 
 from . import bench_tables, footprint
 from .errors import UserError
-from .terminal import Core, JsonOption, out, working
+from .terminal import Core, JsonOption, hold_to_record, out, working
 
 
 def command(
@@ -40,13 +39,7 @@ def command(
     if keep:
         footprint.write(rows)
     if check:
-        lines = list(footprint.troubles(rows))
-        for line in lines:
-            print(line, file=sys.stderr if as_json else sys.stdout)
-        if not as_json:
-            print(f"{len(rows) - len(lines)} passed, {len(lines)} failed in {monotonic() - started:.1f}s")
-        if lines:
-            raise typer.Exit(1)
+        hold_to_record(list(footprint.troubles(rows)), len(rows), started, as_json)
 
 
 def tables(rows: list[footprint.Row]) -> list[Table]:

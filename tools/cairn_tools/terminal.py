@@ -1,12 +1,14 @@
-"""What the verbs of tools/cairn share: the two consoles, options, a spinner, a bar, and paths to write to."""
+"""What the verbs of tools/cairn share: two consoles, options, a spinner, bars, paths, and how a record is held."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from enum import Enum
 from pathlib import Path
+from time import monotonic
 from typing import Annotated, Any
 
 import typer
@@ -83,6 +85,17 @@ def writable(file: Path | str) -> Path:
     if path.is_dir():
         raise UserError(f"{path}: is a folder")
     return path
+
+
+def hold_to_record(lines: list[str], count: int, started: float, as_json: bool = False) -> None:
+    """Says which of so many figures the record does not allow; exit code 1 if any. tools/test reads the last line."""
+    for line in lines:
+        print(line, file=sys.stderr if as_json else sys.stdout)
+    bad = sum(not line.startswith(" ") for line in lines)  # what is indented says more of the line before
+    if not as_json:
+        print(f"{count - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
+    if lines:
+        raise typer.Exit(1)
 
 
 def load_scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:

@@ -1,12 +1,14 @@
 """The error of every primitive of the arithmetic, in LSB, as tests/arith/errors.c measures it.
 
 To take every argument takes minutes, so the results are kept in tests/arith/errors.json with those of a sample, which
-takes a second: a table is shown only if the sample comes out as it did when the results were kept.
+takes a second: a table is shown only if Cairn's sample comes out as it did when the results were kept. libfixmath's
+stands beside it for comparison and is not held to its own.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
@@ -56,13 +58,22 @@ class Row:
         """Of ours: within what the header states and what was asked for."""
         return self.bound is None or self.largest <= min(self.bound, LIMITS.get(self.operation, self.bound))
 
+    def agrees_with(self, other: Row) -> bool:
+        """The same errors, but for the last place of the reference: long double's functions differ by processor."""
+        return self.results == other.results and all(
+            math.isclose(one, two, rel_tol=1e-4) for one, two in ((self.largest, other.largest), (self.rms, other.rms))
+        )
+
 
 def measure(say: Callable[[str], None]) -> list[Row]:
     """The kept rows of all arguments, once a sample has shown that they are this arithmetic's."""
     kept = _kept()
+    sample = {row.operation: row for row in kept["sample"] if row.ours}
     for row in run(SAMPLE, say):
-        if row not in kept["sample"]:
+        if row.ours and not (row.operation in sample and row.agrees_with(sample.pop(row.operation))):
             raise UserError(f"{KEPT}: {row.operation} comes out otherwise now; {AGAIN}")
+    if sample:
+        raise UserError(f"{KEPT}: {next(iter(sample))} is measured no more; {AGAIN}")
     return kept["full"]
 
 

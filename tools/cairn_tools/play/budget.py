@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import importlib.util
 import json
-import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from time import monotonic
 
-import typer
 from elftools.elf.elffile import ELFFile
 from rich.table import Table
 
 from .. import engine
-from ..terminal import out, working
+from ..terminal import hold_to_record, out, working
 from . import headless, images, script
 
 FILE = engine.ROOT / "tests" / "bench" / "game.json"
@@ -122,13 +120,7 @@ def run(keep: bool, check: bool, as_json: bool) -> None:
     if keep:
         FILE.write_text(json.dumps({row.name: row.now for row in rows}, indent=1) + "\n", encoding="utf-8")
     if check:
-        lines = list(troubles(rows))
-        for line in lines:
-            print(line, file=sys.stderr if as_json else sys.stdout)
-        if not as_json:
-            print(f"{len(rows) - len(lines)} passed, {len(lines)} failed in {monotonic() - started:.1f}s")
-        if lines:
-            raise typer.Exit(1)
+        hold_to_record(list(troubles(rows)), len(rows), started, as_json)
 
 
 def _table(rows: list[Row]) -> Table:
