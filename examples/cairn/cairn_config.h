@@ -1,0 +1,6 @@
+/* What the game does not need of the engine: see include/cairn/config.h. */
+#define CAIRN_WITH_BOUNCE 0
+#define CAIRN_WITH_CONTINUOUS 0
+#define CAIRN_WITH_BLOCKS 0
+#define CAIRN_WITH_SLIDES_SOLVER 0
+#define CAIRN_WITH_SENSORS 0
