@@ -246,89 +246,79 @@ cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole)
 
 /* ---- cairn_wide ---- */
 
-/* x * 2^exponent, rounded to 32 bits. */
-static cairn_wide wide_from_64(uint64_t x, int32_t exponent)
-{
-    cairn_wide k;
-    int shift;
-    uint32_t top, next;
+static int32_t exponent_of(cairn_wide_word w) { return (int32_t)high_word(w); }
+static cairn_wide_word word_of(uint32_t mantissa, int32_t exponent) { return (uint64_t)(uint32_t)exponent << 32 | mantissa; }
 
-    if (x == 0) {
-        k.mantissa = 0;
-        k.exponent = 0;
-        return k;
-    }
+/* x * 2^exponent, rounded to 32 bits. */
+static cairn_wide_word word_from_64(uint64_t x, int32_t exponent)
+{
+    int shift;
+    uint32_t mantissa;
+
+    if (x == 0) { return 0; }
     shift = clz64(x);
     x <<= shift;
-    top = high_word(x);
-    next = (uint32_t)x >> 31;
-    k.exponent = exponent + 32 - shift;
-    k.mantissa = top + next;
-    if (k.mantissa == 0) {
-        k.mantissa = 0x80000000u;
-        k.exponent++;
-    }
-    return k;
+    mantissa = high_word(x) + ((uint32_t)x >> 31);
+    exponent += 32 - shift;
+    return mantissa != 0 ? word_of(mantissa, exponent) : word_of(0x80000000u, exponent + 1);
 }
 
-cairn_wide cairn_wide_of(int32_t x, int exponent)
+cairn_wide_word cairn_word_of(int32_t x, int exponent)
 {
-    return wide_from_64(magnitude(x), exponent);
+    return word_from_64(magnitude(x), exponent);
 }
 
-cairn_wide cairn_wide_from_area(cairn_area a)
+cairn_wide_word cairn_word_from_area(cairn_area a)
 {
-    return wide_from_64(a < 0 ? 0u - (uint64_t)a : (uint64_t)a, -44);
+    return word_from_64(a < 0 ? 0u - (uint64_t)a : (uint64_t)a, -44);
 }
 
-cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b)
+cairn_wide_word cairn_word_from_sum(cairn_offset a, cairn_offset b)
 {
     int64_t sum = (int64_t)a + b;
-    return wide_from_64(sum < 0 ? 0u - (uint64_t)sum : (uint64_t)sum, -22);
+    return word_from_64(sum < 0 ? 0u - (uint64_t)sum : (uint64_t)sum, -22);
 }
 
-cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b)
+cairn_wide_word cairn_word_mul(cairn_wide_word a, cairn_wide_word b)
 {
-    return wide_from_64(cairn_product(a.mantissa, b.mantissa), a.exponent + b.exponent);
+    return word_from_64(cairn_product((uint32_t)a, (uint32_t)b), exponent_of(a) + exponent_of(b));
 }
 
-cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b)
+cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b)
 {
-    cairn_wide k;
+    uint32_t over = (uint32_t)a, under = (uint32_t)b;
+    int32_t exponent = exponent_of(a) - exponent_of(b) - 31;
 
-    if (a.mantissa == 0 || b.mantissa == 0) { return cairn_wide_of(0, 0); }
+    if (over == 0 || under == 0) { return 0; }
     /* 1 + fraction, so that all 32 bits of the quotient count: a/b, or 2a/b when a is the smaller. */
-    k.exponent = a.exponent - b.exponent - 31;
-    if (a.mantissa >= b.mantissa) {
-        k.mantissa = 0x80000000u + fraction(a.mantissa - b.mantissa, b.mantissa);
-    } else {
-        k.mantissa = 0x80000000u + fraction(2u * a.mantissa - b.mantissa, b.mantissa);
-        k.exponent--;
+    if (over < under) {
+        over *= 2; /* wraps: the difference does not */
+        exponent--;
     }
-    return k;
+    return word_of(0x80000000u + fraction(over - under, under), exponent);
 }
 
-cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b)
+cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b)
 {
-    cairn_wide large = cairn_wide_less(a, b) ? b : a;
-    cairn_wide small = cairn_wide_less(a, b) ? a : b;
-    int32_t apart = large.exponent - small.exponent;
+    bool less = cairn_wide_less(cairn_wide_from_word(a), cairn_wide_from_word(b));
+    cairn_wide_word large = less ? b : a, small = less ? a : b;
+    int32_t apart = exponent_of(large) - exponent_of(small);
 
-    if (small.mantissa == 0 || apart > 33) { return large; }
-    return wide_from_64(((uint64_t)large.mantissa << 31) + (((uint64_t)small.mantissa << 31) >> apart), large.exponent - 31);
+    if ((uint32_t)small == 0 || apart > 33) { return large; }
+    return word_from_64(((uint64_t)(uint32_t)large << 31) + (((uint64_t)(uint32_t)small << 31) >> apart), exponent_of(large) - 31);
 }
 
-cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
+cairn_wide_word cairn_word_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
 {
     int64_t value = (int64_t)a * d - (int64_t)b * c;
-    return wide_from_64(value < 0 ? (uint64_t)-value : (uint64_t)value, -60);
+    return word_from_64(value < 0 ? (uint64_t)-value : (uint64_t)value, -60);
 }
 
-cairn_wide cairn_wide_sqrt(cairn_wide a)
+cairn_wide_word cairn_word_sqrt(cairn_wide_word a)
 {
-    int odd = (int)((uint32_t)a.exponent & 1u);
+    int odd = (int)(high_word(a) & 1u);
     /* mantissa * 2^exponent = (mantissa * 2^(32 - odd)) * 2^(exponent - 32 + odd), an even power */
-    return wide_from_64(root((uint64_t)a.mantissa << (32 - odd)), (a.exponent - 32 + odd) / 2);
+    return word_from_64(root((uint64_t)(uint32_t)a << (32 - odd)), (exponent_of(a) - 32 + odd) / 2);
 }
 
 /* x / 2^shift rounded, shift from 1 to 63; x < 2^63 */

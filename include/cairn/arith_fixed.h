@@ -212,13 +212,50 @@ cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole);
 
 /* ---- cairn_wide: positive magnitudes of any size, relative error at most 2^-32 an operation ---- */
 
-cairn_wide cairn_wide_of(int32_t x, int exponent); /* |x| * 2^exponent */
-cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b);
-cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b); /* b = 0 gives zero */
-cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b);
-cairn_wide cairn_wide_sqrt(cairn_wide a);
+/* One as functions hand it over: in two registers, for many an ABI returns a structure by way of memory. */
+typedef uint64_t cairn_wide_word;
+CAIRN_ALWAYS_INLINE cairn_wide_word cairn_wide_to_word(cairn_wide a) { return (uint64_t)(uint32_t)a.exponent << 32 | a.mantissa; }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_word(cairn_wide_word w)
+{
+    cairn_wide a;
+    a.mantissa = (uint32_t)w;
+    a.exponent = (int32_t)(uint32_t)(w >> 32);
+    return a;
+}
+cairn_wide_word cairn_word_of(int32_t x, int exponent);
+cairn_wide_word cairn_word_mul(cairn_wide_word a, cairn_wide_word b);
+cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b);
+cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b);
+cairn_wide_word cairn_word_sqrt(cairn_wide_word a);
+cairn_wide_word cairn_word_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d);
+cairn_wide_word cairn_word_from_area(cairn_area a);
+cairn_wide_word cairn_word_from_sum(cairn_offset a, cairn_offset b);
+
+/* |x| * 2^exponent */
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_of(int32_t x, int exponent) { return cairn_wide_from_word(cairn_word_of(x, exponent)); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b)
+{
+    return cairn_wide_from_word(cairn_word_mul(cairn_wide_to_word(a), cairn_wide_to_word(b)));
+}
+/* b = 0 gives zero */
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b)
+{
+    return cairn_wide_from_word(cairn_word_div(cairn_wide_to_word(a), cairn_wide_to_word(b)));
+}
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b)
+{
+    return cairn_wide_from_word(cairn_word_add(cairn_wide_to_word(a), cairn_wide_to_word(b)));
+}
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_sqrt(cairn_wide a) { return cairn_wide_from_word(cairn_word_sqrt(cairn_wide_to_word(a))); }
 /* |a d - b c|, of shares */
-cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d);
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
+{
+    return cairn_wide_from_word(cairn_word_determinant(a, b, c, d));
+}
+/* |a|, rounded to 32 bits. */
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_area(cairn_area a) { return cairn_wide_from_word(cairn_word_from_area(a)); }
+/* |a + b|, rounded to 32 bits; the sum may lie outside of the offsets' range. */
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b) { return cairn_wide_from_word(cairn_word_from_sum(a, b)); }
 /* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
 int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
 /* A constant initialiser of 0 to 65535 for what is only multiplied: in steps of 2^-16, its top bit need not be set. */
@@ -246,10 +283,6 @@ static inline cairn_wide cairn_wide_unpack(cairn_packed p)
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
 static inline cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
-/* |a|, rounded to 32 bits. */
-cairn_wide cairn_wide_from_area(cairn_area a);
-/* |a + b|, rounded to 32 bits; the sum may lie outside of the offsets' range. */
-cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b);
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return cairn_wide_scale(1, k, 16); }
 static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_scale(1, k, 30); }
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }

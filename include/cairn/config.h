@@ -81,6 +81,13 @@
 #define CAIRN_INLINE static inline
 #endif
 
+/* For functions that are but another form of a call. */
+#if defined(__GNUC__)
+#define CAIRN_ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define CAIRN_ALWAYS_INLINE static inline
+#endif
+
 /* For functions with much on the stack beside the deepest calls of their caller: inlined, their frame would lie under those. */
 #if defined(__GNUC__)
 #define CAIRN_APART static __attribute__((noinline))
