@@ -222,14 +222,11 @@ cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *
         return cairn_spring_id_null();
     }
     cairn_body *a = cairn_body_find(world, def->a), *b = cairn_body_find(world, def->b);
-    cairn_offset2 anchor_a = anchor_of(a, def->anchor_a), anchor_b = anchor_of(b, def->anchor_b);
     spring->a = (uint16_t)(def->a.index - 1);
     spring->b = (uint16_t)(def->b.index - 1);
     spring->flags = (uint16_t)(CAIRN_SPRING_USED | CAIRN_SPRING_FRESH | (def->no_contact ? CAIRN_SPRING_NO_CONTACT : 0));
-    spring->anchor_a.x = anchor_a.x;
-    spring->anchor_a.y = anchor_a.y;
-    spring->anchor_b.x = anchor_b.x;
-    spring->anchor_b.y = anchor_b.y;
+    spring->anchor_a = anchor_of(a, def->anchor_a);
+    spring->anchor_b = anchor_of(b, def->anchor_b);
     spring->stiffness = kept(def->stiffness);
     spring->damping = kept(def->damping);
     cairn_reach r;

@@ -27,141 +27,157 @@
 /* The most entries of a row: keeps the sums of their products in 64 bits. */
 enum { ROW_MAX = 255 };
 
+/* A part, and where it lies in the memory. */
+typedef struct web {
+    cairn_world *world;
+    cairn_mesh *mesh;
+    cairn_mesh_part *part;
+    cairn_mesh_node *nodes, *node_end;
+    cairn_mesh_row *rows, *row_end;
+    cairn_mesh_link *links, *link_end;
+} web;
+
+static web web_of(cairn_world *world, cairn_mesh_part *part)
+{
+    web w;
+    w.world = world;
+    w.mesh = world->springs->mesh;
+    w.part = part;
+    w.nodes = w.mesh->nodes + part->node;
+    w.node_end = w.nodes + part->nodes;
+    w.rows = w.mesh->rows + part->row;
+    w.row_end = w.rows + part->rows;
+    w.links = w.mesh->links + part->link;
+    w.link_end = w.links + part->links;
+    return w;
+}
+
+static cairn_spring *spring_of(const web *w, const cairn_mesh_link *link) { return &w->world->springs->springs[link->spring]; }
+static const cairn_body *body_of(const web *w, const cairn_mesh_node *node) { return &w->world->bodies[node->body]; }
+
 /* ---- which bodies, in which order ---- */
 
-static uint16_t node_of(const cairn_mesh *mesh, const cairn_mesh_part *part, uint16_t body)
+static uint16_t node_of(const web *w, uint16_t body)
 {
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        if (mesh->nodes[i].body == body) {
-            return i;
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        if (node->body == body) {
+            return (uint16_t)(node - w->mesh->nodes);
         }
     }
     return CAIRN_NONE;
 }
 
-static bool add_node(const cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part, uint16_t body)
+static bool add_node(web *w, uint16_t body)
 {
-    if (!cairn_body_is_dynamic(&world->bodies[body]) || node_of(mesh, part, body) != CAIRN_NONE) {
+    if (!cairn_body_is_dynamic(&w->world->bodies[body]) || node_of(w, body) != CAIRN_NONE) {
         return true;
     }
-    if (part->node + part->nodes == mesh->body_capacity) {
+    if (w->node_end == w->mesh->nodes + w->mesh->body_capacity) {
         return false;
     }
-    uint16_t place = (uint16_t)(part->node + part->nodes);
-    memset(&mesh->nodes[place], 0, sizeof mesh->nodes[place]);
-    mesh->nodes[place].body = body;
-    part->nodes++;
+    memset(w->node_end, 0, sizeof *w->node_end);
+    w->node_end++->body = body;
     return true;
 }
 
-static bool collect(const cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
+static bool collect(web *w)
 {
-    const cairn_spring_pool *pool = world->springs;
-    for (uint16_t i = part->network; i < pool->end; i++) {
+    const cairn_spring_pool *pool = w->world->springs;
+    for (uint16_t i = w->part->network; i < pool->end; i++) {
         const cairn_spring *spring = &pool->springs[i];
-        if (!cairn_spring_is_used(spring) || spring->network != part->network) {
+        if (!cairn_spring_is_used(spring) || spring->network != w->part->network) {
             continue;
         }
-        if (part->link + part->links == mesh->link_capacity || !add_node(world, mesh, part, spring->a)
-            || !add_node(world, mesh, part, spring->b)) {
+        if (w->link_end == w->mesh->links + w->mesh->link_capacity || !add_node(w, spring->a) || !add_node(w, spring->b)) {
             return false;
         }
-        mesh->links[part->link + part->links].spring = i;
-        part->links++;
-        part->has_levers = part->has_levers || cairn_spring_is_off_centre(spring);
+        w->link_end++->spring = i;
+        w->part->has_levers = w->part->has_levers || cairn_spring_is_off_centre(spring);
     }
+    w->part->nodes = (uint16_t)(w->node_end - w->nodes);
+    w->part->links = (uint16_t)(w->link_end - w->links);
     return true;
 }
 
-/* Sort by rank. */
-static void arrange(cairn_mesh *mesh, const cairn_mesh_part *part)
+/* The node that a link goes to from another one, CAIRN_NONE if it does not begin there or goes to none. */
+static uint16_t across(const cairn_mesh_link *link, uint16_t node)
 {
-    cairn_mesh_node *nodes = &mesh->nodes[part->node];
-    for (int i = 1; i < part->nodes; i++) {
-        cairn_mesh_node node = nodes[i];
-        int k = i;
-        for (; k > 0 && nodes[k - 1].rank > node.rank; k--) {
-            nodes[k] = nodes[k - 1];
-        }
-        nodes[k] = node;
-    }
-}
-
-static void bind(const cairn_world *world, cairn_mesh *mesh, const cairn_mesh_part *part)
-{
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        cairn_mesh_link *link = &mesh->links[i];
-        const cairn_spring *spring = &world->springs->springs[link->spring];
-        link->node_a = node_of(mesh, part, spring->a);
-        link->node_b = node_of(mesh, part, spring->b);
-    }
+    return link->node[0] == node ? link->node[1] : link->node[1] == node ? link->node[0] : (uint16_t)CAIRN_NONE;
 }
 
 /* The first of the nodes that a node is linked to, itself included. */
-static uint16_t first_neighbour(const cairn_mesh *mesh, const cairn_mesh_part *part, uint16_t node)
+static uint16_t first_neighbour(const web *w, const cairn_mesh_node *node)
 {
-    uint16_t first = node;
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        const cairn_mesh_link *link = &mesh->links[i];
-        uint16_t other = link->node_a == node ? link->node_b : link->node_b == node ? link->node_a : CAIRN_NONE;
+    uint16_t place = (uint16_t)(node - w->mesh->nodes), first = place;
+    for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        uint16_t other = across(link, place);
         first = other < first ? other : first;
     }
     return first;
 }
 
-/* How far the entries reach in this order of the nodes. */
-static uint32_t envelope(const cairn_mesh *mesh, const cairn_mesh_part *part)
+/* Put the nodes in the order of their ranks, of which nothing is known yet but their bodies; how far the entries then reach. */
+static uint32_t arrange(const web *w)
 {
     uint32_t size = 0;
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        size += (uint32_t)(i - first_neighbour(mesh, part, i));
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        uint16_t body = node->body, rank = node->rank;
+        cairn_mesh_node *k = node;
+        for (; k != w->nodes && k[-1].rank > rank; k--) {
+            k->body = k[-1].body;
+            k->rank = k[-1].rank;
+        }
+        k->body = body;
+        k->rank = rank;
+    }
+    for (cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        link->node[0] = node_of(w, spring_of(w, link)->a);
+        link->node[1] = node_of(w, spring_of(w, link)->b);
+    }
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        size += (uint32_t)(node - w->mesh->nodes) - first_neighbour(w, node);
     }
     return size;
 }
 
-/* Number the nodes in rings about one of them; the last that was reached. */
-static uint16_t rank_from(cairn_mesh *mesh, const cairn_mesh_part *part, uint16_t start)
+static uint32_t arrange_by_bodies(const web *w)
 {
-    uint16_t last = start, count = 1;
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        mesh->nodes[i].rank = CAIRN_NONE;
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        node->rank = node->body;
     }
-    mesh->nodes[start].rank = 0;
+    return arrange(w);
+}
+
+/* Number the nodes in rings about one of them; the last that was reached. */
+static cairn_mesh_node *rank_from(const web *w, cairn_mesh_node *start)
+{
+    uint16_t count = 1;
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        node->rank = CAIRN_NONE;
+    }
+    start->rank = 0;
     for (uint16_t rank = 0; rank < count; rank++) {
-        uint16_t node = part->node;
-        while (mesh->nodes[node].rank != rank) {
-            node++;
+        start = w->nodes;
+        while (start->rank != rank) {
+            start++;
         }
-        last = node;
-        for (uint16_t i = part->link; i < part->link + part->links; i++) {
-            const cairn_mesh_link *link = &mesh->links[i];
-            uint16_t other = link->node_a == node ? link->node_b : link->node_b == node ? link->node_a : CAIRN_NONE;
-            if (other != CAIRN_NONE && mesh->nodes[other].rank == CAIRN_NONE) {
-                mesh->nodes[other].rank = count++;
+        for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+            uint16_t other = across(link, (uint16_t)(start - w->mesh->nodes));
+            if (other != CAIRN_NONE && w->mesh->nodes[other].rank == CAIRN_NONE) {
+                w->mesh->nodes[other].rank = count++;
             }
         }
     }
-    return last;
+    return start;
 }
 
 /* By the bodies' own order, or in rings about an end of the network (Cuthill and McKee), whichever has fewer entries. */
-static void order(const cairn_world *world, cairn_mesh *mesh, const cairn_mesh_part *part)
+static void order(const web *w)
 {
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        mesh->nodes[i].rank = mesh->nodes[i].body;
-    }
-    arrange(mesh, part);
-    bind(world, mesh, part);
-    uint32_t plain = envelope(mesh, part);
-    rank_from(mesh, part, rank_from(mesh, part, part->node));
-    arrange(mesh, part);
-    bind(world, mesh, part);
-    if (envelope(mesh, part) >= plain) {
-        for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-            mesh->nodes[i].rank = mesh->nodes[i].body;
-        }
-        arrange(mesh, part);
-        bind(world, mesh, part);
+    uint32_t plain = arrange_by_bodies(w);
+    rank_from(w, rank_from(w, w->nodes));
+    if (arrange(w) >= plain) {
+        arrange_by_bodies(w);
     }
 }
 
@@ -171,101 +187,114 @@ static cairn_wide least(cairn_wide a, cairn_wide b) { return cairn_wide_less(b, 
 static cairn_wide square(cairn_wide a) { return cairn_wide_mul(a, a); }
 
 /* The square of an anchor's greatest lever, at least 1. */
-static cairn_wide leverage(const cairn_body *body, cairn_offset x, cairn_offset y)
+static cairn_wide leverage(const cairn_body *body, const cairn_offset2 *anchor)
 {
     cairn_wide one = cairn_wide_from_int(1);
-    cairn_wide arm = cairn_wide_add(square(cairn_wide_from_offset(x)), square(cairn_wide_from_offset(y)));
+    cairn_wide arm = cairn_wide_add(square(cairn_wide_from_offset(anchor->x)), square(cairn_wide_from_offset(anchor->y)));
     cairn_wide lever = cairn_wide_mul(arm, square(cairn_body_inverse_gyration(body)));
     return cairn_wide_less(lever, one) ? one : lever;
 }
 
-/* k h^2 and c h, in kg, no more than a rod's. */
-static void weigh(const cairn_world *world, const cairn_spring *spring, cairn_wide *stiffness, cairn_wide *damping)
+/* k h^2 or c h, in kg, no more than a rod's. */
+static cairn_wide rod(cairn_wide amount, cairn_wide power, cairn_wide mass)
 {
-    const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-    cairn_wide mass = cairn_bodies_reduced_mass(a, b);
-    cairn_wide limit = cairn_wide_mul(mass, STIFFNESS_MAX);
-    *stiffness = least(cairn_wide_mul(cairn_wide_unpack(spring->stiffness), square(world->substep)), limit);
-    *damping = least(cairn_wide_mul(cairn_wide_unpack(spring->damping), world->substep), limit);
+    return least(cairn_wide_mul(amount, power), cairn_wide_mul(mass, STIFFNESS_MAX));
 }
 
-static void load(const cairn_world *world, cairn_mesh *mesh, uint16_t place, cairn_offset x, cairn_offset y, cairn_wide weight)
+/* What it weighs with in all; *stiffness: k h^2, *damping: c h. */
+static cairn_wide weigh(const web *w, const cairn_spring *spring, cairn_wide *stiffness, cairn_wide *damping)
+{
+    cairn_wide mass = cairn_bodies_reduced_mass(&w->world->bodies[spring->a], &w->world->bodies[spring->b]);
+    *stiffness = rod(cairn_wide_unpack(spring->stiffness), square(w->world->substep), mass);
+    *damping = rod(cairn_wide_unpack(spring->damping), w->world->substep, mass);
+    return cairn_wide_add(*stiffness, *damping);
+}
+
+static void load(const web *w, uint16_t place, const cairn_offset2 *anchor, cairn_wide weight)
 {
     if (place == CAIRN_NONE) {
         return;
     }
-    cairn_mesh_node *node = &mesh->nodes[place];
-    const cairn_body *body = &world->bodies[node->body];
+    cairn_mesh_node *node = &w->mesh->nodes[place];
+    const cairn_body *body = body_of(w, node);
     node->scale = cairn_wide_add(node->scale, weight);
-    if ((x != 0 || y != 0) && cairn_body_can_turn(body)) {
-        node->turning = cairn_wide_add(node->turning, cairn_wide_mul(weight, leverage(body, x, y)));
+    if ((anchor->x != 0 || anchor->y != 0) && cairn_body_can_turn(body)) {
+        node->turning = cairn_wide_add(node->turning, cairn_wide_mul(weight, leverage(body, anchor)));
         node->turns = 1;
     }
 }
 
-static cairn_share root_share(cairn_wide part, cairn_wide whole) { return cairn_wide_to_share(cairn_wide_sqrt(cairn_wide_div(part, whole))); }
+static cairn_wide root_of(cairn_wide part, cairn_wide whole) { return cairn_wide_sqrt(cairn_wide_div(part, whole)); }
+static cairn_share share_of(cairn_wide part, cairn_wide whole) { return cairn_wide_to_share(cairn_wide_div(part, whole)); }
 
-static void weigh_links(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
+static void weigh_link(const web *w, cairn_mesh_link *link, cairn_wide most)
+{
+    cairn_wide stiffness, damping, weight = weigh(w, spring_of(w, link), &stiffness, &damping);
+    cairn_wide root = root_of(weight, most);
+    for (int k = 0; k < 2; k++) {
+        if (link->node[k] != CAIRN_NONE) {
+            const cairn_mesh_node *node = &w->mesh->nodes[link->node[k]];
+            link->shift[k] = cairn_wide_to_share(root_of(weight, node->scale));
+            link->turn[k] = cairn_wide_to_share(root_of(weight, node->turning));
+        }
+    }
+    link->position_gain = cairn_wide_mul(root, cairn_wide_div(stiffness, weight));
+    link->velocity_gain = cairn_wide_to_share(cairn_wide_mul(root, cairn_wide_div(damping, weight)));
+}
+
+static void weigh_links(const web *w)
 {
     cairn_wide most = cairn_wide_from_int(0), softest = cairn_wide_from_int(1), stiffness, damping;
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        mesh->nodes[i].scale = mesh->nodes[i].turning = cairn_body_mass_of(&world->bodies[mesh->nodes[i].body]);
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        node->scale = node->turning = cairn_body_mass_of(body_of(w, node));
     }
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        const cairn_mesh_link *link = &mesh->links[i];
-        const cairn_spring *spring = &world->springs->springs[link->spring];
-        weigh(world, spring, &stiffness, &damping);
-        cairn_wide weight = cairn_wide_add(stiffness, damping);
-        load(world, mesh, link->node_a, spring->anchor_a.x, spring->anchor_a.y, weight);
-        load(world, mesh, link->node_b, spring->anchor_b.x, spring->anchor_b.y, weight);
+    for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        const cairn_spring *spring = spring_of(w, link);
+        cairn_wide weight = weigh(w, spring, &stiffness, &damping);
+        load(w, link->node[0], &spring->anchor_a, weight);
+        load(w, link->node[1], &spring->anchor_b, weight);
     }
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        most = cairn_wide_less(most, mesh->nodes[i].scale) ? mesh->nodes[i].scale : most;
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        most = cairn_wide_less(most, node->scale) ? node->scale : most;
     }
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        cairn_mesh_link *link = &mesh->links[i];
-        weigh(world, &world->springs->springs[link->spring], &stiffness, &damping);
-        cairn_wide weight = cairn_wide_add(stiffness, damping);
-        cairn_wide root = cairn_wide_sqrt(cairn_wide_div(weight, most));
-        link->shift_a = link->node_a == CAIRN_NONE ? 0 : root_share(weight, mesh->nodes[link->node_a].scale);
-        link->shift_b = link->node_b == CAIRN_NONE ? 0 : root_share(weight, mesh->nodes[link->node_b].scale);
-        link->turn_a = link->node_a == CAIRN_NONE ? 0 : root_share(weight, mesh->nodes[link->node_a].turning);
-        link->turn_b = link->node_b == CAIRN_NONE ? 0 : root_share(weight, mesh->nodes[link->node_b].turning);
-        link->position_gain = cairn_wide_mul(root, cairn_wide_div(stiffness, weight));
-        link->velocity_gain = cairn_wide_to_share(cairn_wide_mul(root, cairn_wide_div(damping, weight)));
+    for (cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        weigh_link(w, link, most);
     }
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        cairn_mesh_node *node = &mesh->nodes[i];
-        cairn_wide mass = cairn_body_mass_of(&world->bodies[node->body]);
-        node->mass = cairn_wide_to_share(cairn_wide_div(mass, node->scale));
-        node->inertia = cairn_wide_to_share(cairn_wide_div(mass, node->turning));
-        softest = cairn_wide_less(cairn_wide_div(mass, node->scale), softest) ? cairn_wide_div(mass, node->scale) : softest;
-        node->scale = cairn_wide_sqrt(cairn_wide_div(most, node->scale));
-        node->turning = cairn_wide_sqrt(cairn_wide_div(most, node->turning));
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        cairn_wide mass = cairn_body_mass_of(body_of(w, node));
+        node->mass = share_of(mass, node->scale);
+        node->inertia = share_of(mass, node->turning);
+        softest = least(softest, cairn_wide_div(mass, node->scale));
+        node->scale = root_of(most, node->scale);
+        node->turning = root_of(most, node->turning);
     }
-    part->stale = cairn_wide_to_share(cairn_wide_div(cairn_wide_sqrt(softest), cairn_wide_from_int(STALE)));
+    w->part->stale = share_of(cairn_wide_sqrt(softest), cairn_wide_from_int(STALE));
 }
 
 /* ---- rows ---- */
 
-static bool make_rows(const cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
+static uint16_t rows_of(const cairn_mesh_node *node) { return (uint16_t)(node->shifts + node->turns); }
+
+static bool make_rows(const web *w)
 {
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        cairn_mesh_node *node = &mesh->nodes[i];
-        node->shifts = cairn_body_is_free_to_shift(&world->bodies[node->body]) ? 2 : 0;
-        node->row = (uint16_t)(part->row + part->rows);
-        part->rows = (uint16_t)(part->rows + node->shifts + node->turns);
+    cairn_mesh *mesh = w->mesh;
+    uint16_t place = w->part->row;
+    for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        node->shifts = cairn_body_is_free_to_shift(body_of(w, node)) ? 2 : 0;
+        node->row = place;
+        place = (uint16_t)(place + rows_of(node));
     }
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        const cairn_mesh_node *node = &mesh->nodes[i];
-        uint16_t first = mesh->nodes[first_neighbour(mesh, part, i)].row;
-        for (uint16_t row = node->row; row < node->row + node->shifts + node->turns; row++) {
-            uint32_t count = (uint32_t)(row - first);
+    w->part->rows = (uint16_t)(place - w->part->row);
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        uint16_t first = mesh->nodes[first_neighbour(w, node)].row;
+        for (uint16_t i = node->row; i < node->row + rows_of(node); i++) {
+            cairn_mesh_row *row = &mesh->rows[i];
+            uint32_t count = (uint32_t)(i - first);
             if (count > ROW_MAX || count > mesh->entry_capacity - mesh->entry_count) {
                 return false;
             }
-            mesh->rows[row].first = first;
-            mesh->rows[row].entries = mesh->entry_count;
+            row->first = first;
+            row->entries = mesh->entry_count;
             mesh->entry_count += count;
         }
     }
@@ -285,12 +314,13 @@ static bool add_part(cairn_world *world, cairn_mesh *mesh, uint16_t network)
     part->row = mesh->row_count;
     part->link = mesh->link_count;
     part->turned = CAIRN_UNIT(1);
-    if (!collect(world, mesh, part)) {
+    web w = web_of(world, part);
+    if (!collect(&w)) {
         return false;
     }
-    order(world, mesh, part);
-    weigh_links(world, mesh, part);
-    if (!make_rows(world, mesh, part)) {
+    order(&w);
+    weigh_links(&w);
+    if (!make_rows(&w)) {
         mesh->entry_count = entries;
         return false;
     }
@@ -325,100 +355,95 @@ typedef struct line {
     cairn_share g[6];
 } line;
 
-static void add_end(line *l, const cairn_mesh_node *node, const cairn_spring *spring, cairn_share shift, cairn_share turn, cairn_lever lever)
+static void add_to(line *l, int row, cairn_share g)
 {
-    if (node->shifts > 0) {
-        l->row[l->count] = node->row;
-        l->g[l->count++] = cairn_motion_dir(shift, spring->direction_x);
-        l->row[l->count] = (uint16_t)(node->row + 1);
-        l->g[l->count++] = cairn_motion_dir(shift, spring->direction_y);
-    }
-    if (node->turns > 0) {
-        l->row[l->count] = (uint16_t)(node->row + node->shifts);
-        l->g[l->count++] = cairn_motion_lever(turn, lever);
-    }
+    l->row[l->count] = (uint16_t)row;
+    l->g[l->count++] = g;
 }
 
-static void make_line(const cairn_world *world, const cairn_mesh *mesh, const cairn_mesh_link *link, line *l)
+static void make_line(const web *w, const cairn_mesh_link *link, line *l)
 {
-    const cairn_spring *spring = &world->springs->springs[link->spring];
+    const cairn_spring *spring = spring_of(w, link);
     l->count = 0;
-    if (link->node_a != CAIRN_NONE) {
-        add_end(l, &mesh->nodes[link->node_a], spring, -link->shift_a, -link->turn_a, spring->lever_a);
-    }
-    if (link->node_b != CAIRN_NONE) {
-        add_end(l, &mesh->nodes[link->node_b], spring, link->shift_b, link->turn_b, spring->lever_b);
+    for (int k = 0; k < 2; k++) {
+        if (link->node[k] == CAIRN_NONE) {
+            continue;
+        }
+        const cairn_mesh_node *node = &w->mesh->nodes[link->node[k]];
+        cairn_share shift = k == 0 ? -link->shift[k] : link->shift[k], turn = k == 0 ? -link->turn[k] : link->turn[k];
+        if (node->shifts > 0) {
+            add_to(l, node->row, cairn_motion_dir(shift, spring->direction_x));
+            add_to(l, node->row + 1, cairn_motion_dir(shift, spring->direction_y));
+        }
+        if (node->turns > 0) {
+            add_to(l, node->row + node->shifts, cairn_motion_lever(turn, k == 0 ? spring->lever_a : spring->lever_b));
+        }
     }
 }
 
 /* The matrix: its diagonal in the rows' values until it is factorised. */
-static void assemble(const cairn_world *world, cairn_mesh *mesh, const cairn_mesh_part *part)
+static void assemble(const web *w)
 {
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        const cairn_mesh_node *node = &mesh->nodes[i];
-        for (int k = 0; k < node->shifts + node->turns; k++) {
+    cairn_mesh *mesh = w->mesh;
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        for (int k = 0; k < rows_of(node); k++) {
             cairn_mesh_row *row = &mesh->rows[node->row + k];
             row->value = k < node->shifts ? node->mass : node->inertia;
             memset(&mesh->entries[row->entries], 0, (size_t)(node->row + k - row->first) * sizeof(cairn_share));
         }
     }
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
+    for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
         line l;
-        make_line(world, mesh, &mesh->links[i], &l);
+        make_line(w, link, &l);
         for (int p = 0; p < l.count; p++) {
-            mesh->rows[l.row[p]].value += cairn_share_mul(l.g[p], l.g[p]);
+            cairn_mesh_row *row = &mesh->rows[l.row[p]];
             for (int q = 0; q < l.count; q++) {
-                if (l.row[q] < l.row[p]) {
-                    mesh->entries[mesh->rows[l.row[p]].entries + l.row[q] - mesh->rows[l.row[p]].first] += cairn_share_mul(l.g[p], l.g[q]);
+                if (l.row[q] <= l.row[p]) {
+                    cairn_share *entry = q == p ? &row->value : &mesh->entries[row->entries + l.row[q] - row->first];
+                    *entry += cairn_share_mul(l.g[p], l.g[q]);
                 }
             }
         }
     }
 }
 
-/* The sum so far less the products of two rows' entries, in the columns from..to. */
-static cairn_sum less_products(cairn_sum sum, const cairn_mesh *mesh, const cairn_mesh_row *p, const cairn_mesh_row *q, int from, int to)
+/* The sum so far less the products of two rows' entries before the column of the second one. */
+static cairn_sum less_products(cairn_sum sum, const web *w, const cairn_mesh_row *p, const cairn_mesh_row *q)
 {
-    if (from < to) {
-        const cairn_share *a = &mesh->entries[p->entries + (uint32_t)(from - p->first)];
-        const cairn_share *b = &mesh->entries[q->entries + (uint32_t)(from - q->first)];
-        for (int k = 0; k < to - from; k++) {
-            sum = cairn_sum_less(sum, a[k], b[k]);
-        }
+    int from = p->first > q->first ? p->first : q->first;
+    const cairn_share *a = &w->mesh->entries[p->entries + (uint32_t)(from - p->first)];
+    const cairn_share *b = &w->mesh->entries[q->entries + (uint32_t)(from - q->first)];
+    for (int k = (int)(q - w->mesh->rows) - from; k > 0; k--) {
+        sum = cairn_sum_less(sum, *a++, *b++);
     }
     return sum;
 }
 
-static void factorise(const cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
+static void factorise(const web *w)
 {
-    assemble(world, mesh, part);
-    for (int i = part->row; i < part->row + part->rows; i++) {
-        cairn_mesh_row *row = &mesh->rows[i];
-        cairn_share *entries = &mesh->entries[row->entries];
-        for (int j = row->first; j < i; j++) {
-            const cairn_mesh_row *column = &mesh->rows[j];
-            int from = row->first > column->first ? row->first : column->first;
-            cairn_sum sum = less_products(cairn_sum_of(entries[j - row->first]), mesh, row, column, from, j);
-            entries[j - row->first] = cairn_motion_scale(cairn_sum_share(sum), column->inverse);
+    assemble(w);
+    for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
+        cairn_share *entry = &w->mesh->entries[row->entries];
+        for (const cairn_mesh_row *column = &w->mesh->rows[row->first]; column != row; column++, entry++) {
+            *entry = cairn_motion_scale(cairn_sum_share(less_products(cairn_sum_of(*entry), w, row, column)), column->inverse);
         }
-        cairn_share left = cairn_sum_share(less_products(cairn_sum_of(row->value), mesh, row, row, row->first, i));
+        cairn_share left = cairn_sum_share(less_products(cairn_sum_of(row->value), w, row, row));
         left = left < PIVOT_MIN ? PIVOT_MIN : left;
         row->inverse = cairn_wide_div(cairn_wide_from_int(1), cairn_wide_sqrt(cairn_wide_from_share(left)));
     }
-    part->turned = 0;
+    w->part->turned = 0;
 }
 
 /* ---- the sub-step ---- */
 
 /* The springs' pulls: sqrt(w) (B C* + D u); their greatest size. */
-static cairn_motion ask(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *part)
+static cairn_motion ask(const web *w)
 {
     cairn_motion most = 0;
     cairn_turn turn = 0;
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        cairn_mesh_link *link = &mesh->links[i];
-        cairn_spring *spring = &world->springs->springs[link->spring];
-        const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
+    for (cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        cairn_spring *spring = spring_of(w, link);
+        const cairn_body *a = &w->world->bodies[spring->a], *b = &w->world->bodies[spring->b];
         cairn_turn turned;
         cairn_offset length = cairn_spring_aim(spring, a, b, true, &turned);
         turn = turned > turn ? turned : turn;
@@ -428,69 +453,65 @@ static cairn_motion ask(cairn_world *world, cairn_mesh *mesh, cairn_mesh_part *p
         }
         most = link->pull > most ? link->pull : -link->pull > most ? -link->pull : most;
     }
-    part->turned += cairn_unit_from_turn(turn);
+    w->part->turned += cairn_unit_from_turn(turn);
     return most;
 }
 
-static void pull(const cairn_world *world, cairn_mesh *mesh, const cairn_mesh_part *part, int lift)
+static void pull(const web *w, int lift)
 {
-    for (int i = part->row; i < part->row + part->rows; i++) {
-        mesh->rows[i].value = 0;
+    for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
+        row->value = 0;
     }
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
+    for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
         line l;
-        cairn_motion pull = cairn_motion_lift(mesh->links[i].pull, lift);
-        make_line(world, mesh, &mesh->links[i], &l);
+        cairn_motion pull = cairn_motion_lift(link->pull, lift);
+        make_line(w, link, &l);
         for (int p = 0; p < l.count; p++) {
-            mesh->rows[l.row[p]].value -= cairn_motion_share(pull, l.g[p]);
+            w->mesh->rows[l.row[p]].value -= cairn_motion_share(pull, l.g[p]);
         }
     }
 }
 
 /* Forwards by the factors, backwards by their transpose. */
-static void substitute(cairn_mesh *mesh, const cairn_mesh_part *part)
+static void substitute(const web *w)
 {
-    for (int i = part->row; i < part->row + part->rows; i++) {
-        cairn_mesh_row *row = &mesh->rows[i];
-        const cairn_share *entries = &mesh->entries[row->entries];
+    for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
+        const cairn_share *entry = &w->mesh->entries[row->entries];
         cairn_sum sum = cairn_sum_of(row->value);
-        for (int k = row->first; k < i; k++) {
-            sum = cairn_sum_less(sum, entries[k - row->first], mesh->rows[k].value);
+        for (const cairn_mesh_row *before = &w->mesh->rows[row->first]; before != row; before++) {
+            sum = cairn_sum_less(sum, *entry++, before->value);
         }
         row->value = cairn_motion_clamp(cairn_motion_scale(cairn_sum_share(sum), row->inverse), CAIRN_MOTION_LIFTED);
     }
-    for (int i = part->row + part->rows - 1; i >= part->row; i--) {
-        cairn_mesh_row *row = &mesh->rows[i];
-        const cairn_share *entries = &mesh->entries[row->entries];
+    for (cairn_mesh_row *row = w->row_end; row-- != w->rows;) {
+        const cairn_share *entry = &w->mesh->entries[row->entries];
         row->value = cairn_motion_scale(row->value, row->inverse);
-        for (int k = row->first; k < i; k++) {
-            mesh->rows[k].value = cairn_motion_add(mesh->rows[k].value, -cairn_motion_share(row->value, entries[k - row->first]));
+        for (cairn_mesh_row *before = &w->mesh->rows[row->first]; before != row; before++) {
+            before->value = cairn_motion_add(before->value, -cairn_motion_share(row->value, *entry++));
         }
     }
 }
 
-static void apply(cairn_world *world, const cairn_mesh *mesh, const cairn_mesh_part *part, int lift)
+static void apply(const web *w, int lift)
 {
-    for (uint16_t i = part->node; i < part->node + part->nodes; i++) {
-        const cairn_mesh_node *node = &mesh->nodes[i];
-        const cairn_mesh_row *rows = &mesh->rows[node->row];
+    for (const cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
+        const cairn_mesh_row *row = &w->mesh->rows[node->row];
         cairn_motion x = 0, y = 0, turn = 0;
         if (node->shifts > 0) {
-            x = cairn_motion_lower(rows[0].value, node->scale, lift);
-            y = cairn_motion_lower(rows[1].value, node->scale, lift);
+            x = cairn_motion_lower(row++->value, node->scale, lift);
+            y = cairn_motion_lower(row++->value, node->scale, lift);
         }
         if (node->turns > 0) {
-            turn = cairn_motion_lower(rows[node->shifts].value, node->turning, lift);
+            turn = cairn_motion_lower(row->value, node->turning, lift);
         }
-        cairn_spring_push(&world->bodies[node->body], x, y, turn);
+        cairn_spring_push(&w->world->bodies[node->body], x, y, turn);
     }
 }
 
-static bool is_active(const cairn_world *world, const cairn_mesh *mesh, const cairn_mesh_part *part)
+static bool is_active(const web *w)
 {
-    for (uint16_t i = part->link; i < part->link + part->links; i++) {
-        const cairn_spring *spring = &world->springs->springs[mesh->links[i].spring];
-        if (cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b])) {
+    for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
+        if (cairn_spring_is_active(w->world, spring_of(w, link))) {
             return true;
         }
     }
@@ -501,18 +522,18 @@ static void solve(cairn_world *world, int substep)
 {
     cairn_mesh *mesh = world->springs->mesh;
     for (uint16_t i = 0; i < mesh->part_count; i++) {
-        cairn_mesh_part *part = &mesh->parts[i];
-        if (!is_active(world, mesh, part)) {
+        web w = web_of(world, &mesh->parts[i]);
+        if (!is_active(&w)) {
             continue;
         }
-        cairn_motion most = ask(world, mesh, part);
-        if (part->turned > part->stale || (part->has_levers && substep == 0)) {
-            factorise(world, mesh, part);
+        cairn_motion most = ask(&w);
+        if (w.part->turned > w.part->stale || (w.part->has_levers && substep == 0)) {
+            factorise(&w);
         }
         int lift = cairn_motion_headroom(most);
-        pull(world, mesh, part, lift);
-        substitute(mesh, part);
-        apply(world, mesh, part, lift);
+        pull(&w, lift);
+        substitute(&w);
+        apply(&w, lift);
     }
 }
 

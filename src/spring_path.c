@@ -30,10 +30,9 @@ static void turn_round(cairn_spring *spring)
     uint16_t body = spring->a;
     spring->a = spring->b;
     spring->b = body;
-    cairn_offset x = spring->anchor_a.x, y = spring->anchor_a.y;
+    cairn_offset2 anchor = spring->anchor_a;
     spring->anchor_a = spring->anchor_b;
-    spring->anchor_b.x = x;
-    spring->anchor_b.y = y;
+    spring->anchor_b = anchor;
     cairn_lever lever = spring->lever_a;
     spring->lever_a = cairn_lever_negate(spring->lever_b);
     spring->lever_b = cairn_lever_negate(lever);

@@ -36,11 +36,6 @@ static bool leads(const cairn_spring_pool *pool, const cairn_spring *spring)
     return (spring->flags & CAIRN_SPRING_HEAD) && !(pool->springs[spring->network].flags & CAIRN_SPRING_MESHED);
 }
 
-static bool is_active(const cairn_world *world, const cairn_spring *spring)
-{
-    return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
-}
-
 /* Whether a spring goes from centre to centre of bodies that may shift, or are at rest. */
 static bool is_plain(const cairn_world *world, const cairn_spring *spring)
 {
@@ -101,7 +96,7 @@ void cairn_springs_prepare(cairn_world *world)
         }
     }
     for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
-        if (leads(pool, &pool->springs[i]) && (changed || is_active(world, &pool->springs[i]))) {
+        if (leads(pool, &pool->springs[i]) && (changed || cairn_spring_is_active(world, &pool->springs[i]))) {
             prepare_path(world, i, changed);
         }
     }
@@ -171,7 +166,7 @@ void cairn_springs_substep(cairn_world *world, int substep)
     }
     for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
         cairn_spring *spring = &pool->springs[i];
-        if (!leads(pool, spring) || !is_active(world, spring)) {
+        if (!leads(pool, spring) || !cairn_spring_is_active(world, spring)) {
             continue;
         }
         if (spring->flags & CAIRN_SPRING_EXACT) {
@@ -182,7 +177,7 @@ void cairn_springs_substep(cairn_world *world, int substep)
     }
     for (uint16_t i = pool->end; pool->entangled && i > 0; i--) {
         const cairn_spring *spring = &pool->springs[i - 1];
-        if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && is_active(world, spring)) {
+        if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && cairn_spring_is_active(world, spring)) {
             solve_path(world, (uint16_t)(i - 1), true);
         }
     }

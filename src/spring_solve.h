@@ -35,6 +35,11 @@ static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
     return cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
 }
 
+static inline bool cairn_spring_is_active(const cairn_world *world, const cairn_spring *spring)
+{
+    return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
+}
+
 /* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
 #define CAIRN_SPRING_FAR CAIRN_F(500)
 

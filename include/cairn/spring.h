@@ -29,7 +29,7 @@ typedef struct cairn_spring_def {
 
 /* The layout is the engine's own. */
 typedef struct cairn_spring {
-    /* what the sub-steps of the quick way use comes first: it is cheaper to reach, see spring_quick.c */
+    /* small numbers first, for a Cortex-M0 reaches 32 half words and 32 words from where a pointer points */
     uint16_t a, b; /* body indices, in the order of its path: see CAIRN_SPRING_TURNED */
     uint16_t next, previous; /* on its path; of a path's first, previous is the first of the next path */
     cairn_frame frame;                  /* otherwise x and y alone: in which it lies at the end of the sub-step */
@@ -39,27 +39,25 @@ typedef struct cairn_spring {
     cairn_swing swing, swung;           /* from the frame to where it lies at the end of this sub-step, and of the one before */
     cairn_part take;                    /* what it takes of half the pull of the spring before */
     cairn_ratio give, keep;             /* of half the pull of the one behind, and of its own in the sweep before */
+    uint16_t flags, generation;
+    cairn_lever lever_a, lever_b;
+    uint16_t network, across;           /* the network, and a spring of another of its paths at one end */
+    uint16_t bucket, link_a, link_b;    /* which springs end at which body, see spring_ends.c */
+
     cairn_motion origin_x, origin_y;    /* where the step began, from where the frame was made */
     cairn_stretch elongation;           /* where the frame was made */
     cairn_motion pulled;                /* half of what it has pulled with; during a sweep what the sweep needs */
     cairn_share share_a, share_b;
     cairn_real frame_x, frame_y;        /* from a to b where the frame was made */
-    uint16_t flags, generation;
     cairn_offset rest_length;
     /* the map of a sub-step, see spring_map.c */
     cairn_share velocity_gain;
+    cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
     /* the factors of its path */
     cairn_factor before, behind, inverse_pivot;
     cairn_turn turned; /* of a path's first: by how much its springs have turned since these were made, at most */
-    cairn_share yield; /* exact: the gain of gravity; implicit: 1 / (1 + b + d) */
-    cairn_lever lever_a, lever_b;
-    /* the network, and a spring of another of its paths at one end */
-    uint16_t network, across;
-    uint16_t bucket, link_a, link_b; /* which springs end at which body, see spring_ends.c */
     cairn_wide position_gain;
-    struct {
-        cairn_offset x, y;
-    } anchor_a, anchor_b; /* from the centres of mass, body frame */
+    cairn_offset2 anchor_a, anchor_b; /* from the centres of mass, body frame */
     cairn_packed stiffness, damping;
 } cairn_spring;
 

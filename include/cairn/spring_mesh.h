@@ -27,8 +27,8 @@ typedef struct cairn_mesh_row {
 } cairn_mesh_row;
 
 typedef struct cairn_mesh_link {
-    uint16_t spring, node_a, node_b;
-    cairn_share shift_a, shift_b, turn_a, turn_b; /* what a unit of its pull is in the ends' rows */
+    uint16_t spring, node[2]; /* of its a and its b; CAIRN_NONE where that does not move */
+    cairn_share shift[2], turn[2]; /* what a unit of its pull is in the ends' rows */
     cairn_wide position_gain;
     cairn_share velocity_gain;
     cairn_motion pull;
