@@ -12,7 +12,7 @@
 /* What the pairs of one sub-step share. */
 typedef struct phase {
     int substep;
-    cairn_motion gravity;  /* what it adds to a speed in a sub-step, at most */
+    cairn_motion gravity;  /* what it adds to a speed in a step, at most */
     cairn_motion calm;     /* slower bodies have no impact */
     cairn_real threshold;  /* the last one that was asked for, and what it is here: */
     cairn_motion rest;
@@ -28,14 +28,15 @@ static phase phase_of(const cairn_world *world, int substep)
 {
     phase p;
     p.substep = substep;
-    p.gravity = p.rest = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
-    p.calm = cairn_motion_ratio(p.gravity, CAIRN_RATIO(1.0 / 9));
+    cairn_motion gravity = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
+    p.calm = cairn_motion_ratio(gravity, CAIRN_RATIO(1.0 / 9));
+    p.gravity = p.rest = cairn_motion_clamp(gravity, CAIRN_MOTION(0.35)) * world->substeps; /* below 6 m */
     p.calm = p.calm < CALM ? p.calm : CALM;
     p.threshold = 0;
     return p;
 }
 
-/* What closes slower does not rebound: the threshold, or what gravity gives in a sub-step. */
+/* What closes slower does not rebound: the threshold, or what gravity gives in a step: piles whose every touch is an impact never settle, and sink. */
 static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real threshold)
 {
     if (threshold != p->threshold) { /* few games have more than one */

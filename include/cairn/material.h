@@ -21,7 +21,7 @@ extern const cairn_bounce_class cairn_bounce;
  * static_friction, kinetic_friction: Coulomb's coefficients, 0 to 64; kinetic at most static.
  * restitution: 0 (no rebound) to 1 (no loss). A pair takes the larger of the two.
  * threshold: approach speed in m/s below which the pair does not rebound; may be 0. (What gravity gives
- * in a sub-step is always rest.) A pair takes the smaller of those of its bouncing materials.
+ * in a step is always rest.) A pair takes the smaller of those of its bouncing materials.
  * Pairs take the geometric mean of the frictions.
  */
 typedef struct cairn_material {

@@ -143,6 +143,37 @@ def _anything(bench: Bench, seed: int) -> World:
     return world
 
 
+@case("24 heaps of 30 bouncing bodies, threshold 0, so that no touch is too slow: they do not sink into one another",
+      quick=True)  # fmt: skip
+def bouncing_heaps(bench: Bench) -> Iterator[Figure]:
+    deepest, lost = 0.0, 0
+    for seed in range(24):
+        world = _bouncing_heap(bench, seed)
+        outlines = Outlines(world)
+        world.step(480)
+        for _ in range(12):
+            world.step(10)
+            deepest = max(deepest, outlines.penetration())
+        states = world.states(world.moving)
+        lost += int(((np.abs(states[:, X]) > 4.0) | (states[:, Y] < 0.0)).sum())
+    yield most("penetration after 8 s", deepest, 0.02, "m")
+    yield most("bodies lost", lost, 0)
+
+
+def _bouncing_heap(bench: Bench, seed: int) -> World:
+    random = np.random.default_rng(seed)
+    world = bench.world(bodies=40, arbiters=300)
+    material = world.material(float(random.uniform(0, 1)), None, float(random.uniform(0.3, 0.9)))
+    pit(world, 8.0, 24.0, material)
+    for k in range(30):
+        kind, sides, size = random.integers(0, 3), int(random.integers(3, 8)), float(random.uniform(0.3, 1.0))
+        form = (world.circle(size / 2), world.box(size, size / 2), world.regular(sides, size / 2))[kind]
+        x, y, angle = 1.15 * (k % 6 - 2.5), 0.8 + 1.2 * (k // 6), float(random.uniform(-3, 3))
+        velocity, density = tuple(random.uniform(-5, 5, 2)), float(10 ** random.uniform(0, 1))
+        world.add(form, x, y, angle, velocity, density=density, material=material)
+    return world
+
+
 @case("stack of 5 on sub-steps, rate and gravity changed every second: no jump", quick=True)
 def changing(bench: Bench) -> Iterator[Figure]:
     world = bench.world()
