@@ -82,6 +82,9 @@ typedef struct cairn_block {
 /* Declare, at file scope, the memory in which blocks are solved, one after the other. Two worlds may share it if they are not stepped at the same time. */
 #define CAIRN_BLOCKS(name) static cairn_block name
 
+/* Bytes of RAM that it takes, a constant expression. */
+#define CAIRN_BLOCKS_BYTES sizeof(cairn_block)
+
 /* Solve heavy bodies on light ones in this world by blocks from now on, in this memory. */
 cairn_status cairn_blocks_enable(cairn_world *world, cairn_block *memory);
 

@@ -62,6 +62,11 @@ typedef struct cairn_quadtree_storage {
     static const cairn_quadtree_storage name = { &name##_tree, name##_boxes, name##_cells, name##_entries, \
                                                  (body_count), (cell_count), (entry_count) }
 
+/* Bytes of RAM that it takes, a constant expression. */
+#define CAIRN_QUADTREE_BYTES(body_count, cell_count, entry_count) \
+    (sizeof(cairn_quadtree) + (body_count) * sizeof(cairn_quadtree_box) + (cell_count) * sizeof(cairn_quadtree_cell) \
+     + (entry_count) * sizeof(cairn_quadtree_entry))
+
 /*
  * Use the quadtree instead of the search along x (broad_pairs.c). center: of the square it divides; size_log2: its side is
  * 2^size_log2 m, 0 to 14; depth: most halvings, 1 to 10. At least as many boxes and entries as the world has room for bodies (CAIRN_ERROR_FULL).

@@ -86,6 +86,9 @@ typedef struct cairn_spring_storage {
     static cairn_spring name##_springs[count]; \
     static const cairn_spring_storage name = { &name##_pool, name##_springs, (count) }
 
+/* Bytes of RAM that it takes, a constant expression. */
+#define CAIRN_SPRINGS_BYTES(count) (sizeof(cairn_spring_pool) + (count) * sizeof(cairn_spring))
+
 static inline cairn_spring_id cairn_spring_id_null(void)
 {
     cairn_spring_id id;

@@ -82,6 +82,11 @@ typedef struct cairn_mesh_storage {
     static const cairn_mesh_storage name = { &name##_mesh, name##_parts, name##_nodes, name##_rows, name##_links, name##_entries, \
                                              (body_count), (spring_count), (matrix_entries) }
 
+/* Bytes of RAM that it takes, a constant expression. */
+#define CAIRN_SPRING_MESHES_BYTES(body_count, spring_count, matrix_entries) \
+    (sizeof(cairn_mesh) + (body_count) * (sizeof(cairn_mesh_part) + sizeof(cairn_mesh_node) + 3 * sizeof(cairn_mesh_row)) \
+     + (spring_count) * sizeof(cairn_mesh_link) + (matrix_entries) * sizeof(cairn_share))
+
 /* Give a world memory for meshes; once per world, after cairn_springs_enable (CAIRN_ERROR_KIND before it, or twice). */
 cairn_status cairn_meshes_enable(cairn_world *world, const cairn_mesh_storage *storage);
 

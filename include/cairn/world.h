@@ -145,7 +145,11 @@ typedef struct cairn_world_storage {
     static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, name##_swept, \
                                               name##_sorted, (body_count), (arbiter_count) }
 
-/* Bytes that CAIRN_WORLD takes, a constant expression. */
+/*
+ * Bytes of RAM that CAIRN_WORLD takes, a constant expression, but for what the linker puts between its arrays (at most 3 bytes each).
+ * What is declared beside it has its own: CAIRN_SPRINGS_BYTES, CAIRN_QUADTREE_BYTES, CAIRN_BLOCKS_BYTES, CAIRN_SPRING_MESHES_BYTES.
+ * The README has all of them in numbers.
+ */
 #define CAIRN_WORLD_BYTES(body_count, arbiter_count) \
     (sizeof(cairn_world) + (body_count) * (sizeof(cairn_body) + sizeof(uint16_t)) + (arbiter_count) * (sizeof(cairn_arbiter) + 2 * sizeof(uint16_t)))
 

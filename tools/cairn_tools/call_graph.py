@@ -21,7 +21,7 @@ HEADERS = engine.ROOT / "include" / "cairn"
 OUTSIDE = (
     32  # bytes of what the compiler calls of its own library, as memcpy() and products in 64 bits: 20 to 28 on an M0
 )
-COPY = re.compile(r"\.(part|isra|constprop|cold)\b.*")  # behind the name of a part or a copy
+COPY = re.compile(r"\.(part|isra|constprop|cold|lto_priv)\b.*")  # behind the name of a part or a copy
 SHAPES = ("shape_circle", "shape_box", "shape_polygon")
 
 # What stands on the line of the call, and the functions that it may reach: names, or FILE:NAME of static ones;
@@ -55,8 +55,9 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
 
 @dataclass
 class Graph:
-    """Bytes of the functions' own frames, and what they call."""
+    """Bytes of the functions' own frames, and what they call. Of an image not all that a pointer may reach is there."""
 
+    whole: bool = True
     frames: dict[str, int] = field(default_factory=dict)
     calls: dict[str, set[str]] = field(default_factory=lambda: defaultdict(set))
     depths: dict[str, tuple[int, tuple[str, ...]]] = field(default_factory=dict)
@@ -66,27 +67,62 @@ class Graph:
         if name in above:
             raise engine.EngineError("calls itself: " + " > ".join([*above[above.index(name) :], name]))
         if name not in self.depths:
-            below = [self.depth(called, (*above, name)) for called in self.calls.get(name, ())]
+            below = [self.depth(called, (*above, name)) for called in self._called(name)]
             most, way = max(below, default=(0, ()))
             own = self.frames.get(name, OUTSIDE)
             self.depths[name] = own + most, (f"{name.removeprefix('src/')} {own}", *way)
         return self.depths[name]
 
+    def _called(self, name: str) -> set[str]:
+        """What it calls; what an image has no frame of is folded into another copy of the same function, or outside."""
+        called = self.calls.get(name, set())
+        lost = {_base(copy) for copy in called if copy not in self.frames}
+        if self.whole or not lost:
+            return called
+        return called | {frame for frame in self.frames if _base(frame) in lost}
+
     def named(self, name: str) -> list[str]:
         """The functions that a name of POINTERS stands for: a compiler may have made parts or copies of one."""
         file, _, own = name.rpartition(":")
         wanted = f"{file}.c:{own}" if file else own
-        found = [title for title in self.frames if fnmatchcase(COPY.sub("", title.rpartition("/")[2]), wanted)]
-        if not found:
+        found = [title for title in self.frames if fnmatchcase(_base(title), wanted)]
+        if not found and self.whole:
             raise engine.EngineError(f"the engine has no {name}, which tools/cairn_tools/call_graph.py names")
         return found
 
 
+def _base(title: str) -> str:
+    """Without folder, and what a part or a copy has behind its name."""
+    return COPY.sub("", title.rpartition("/")[2])
+
+
 def read(files: Iterable[Path]) -> Graph:
     """The graph of all translation units."""
-    graph, pointers = Graph(), []
-    for path in files:
-        text = path.read_text(encoding="utf-8")
+    return _graph((path.read_text(encoding="utf-8") for path in files), Graph())
+
+
+def image_depth(image: Path) -> int:
+    """Bytes of stack that main() of an image can take, linked with -flto and -fcallgraph-info=su."""
+    texts = [path.read_text(encoding="utf-8") for path in sorted(image.parent.glob(f"{image.name}.ltrans*.ci"))]
+    graph = _graph(map(_as_if_compiled_alone, texts), Graph(whole=False))
+    if "main" not in graph.frames:
+        raise engine.EngineError(f"{image} has no call graph: it takes gcc 10 or later")
+    return graph.depth("main")[0]
+
+
+def _as_if_compiled_alone(text: str) -> str:
+    """Titles by the source file, which linking with -flto replaces by that of its own object."""
+    for title, file in re.findall(r'node: \{ title: "([^"]+)" label: "[^"\\]*\\n([^"]+?):\d+:\d+(?:\\n|")', text):
+        own = title.rpartition(":")[2]
+        shared = own.startswith("cairn_") or own == "main"
+        text = text.replace(f'"{title}"', f'"{own}"' if shared else f'"{file}:{own}"')
+    text = re.sub(r'"[^"\s]+\.o:(cairn_[^"]+)"', r'"\1"', text)
+    return text
+
+
+def _graph(texts: Iterable[str], graph: Graph) -> Graph:
+    pointers = []
+    for text in texts:
         for title, size in re.findall(r'node: \{ title: "([^"]+)" label: "[^"]*?\\n(\d+) bytes', text):
             graph.frames[_short(title)] = int(size)
         for source, target, place in re.findall(

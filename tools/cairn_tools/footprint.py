@@ -1,26 +1,32 @@
-"""Flash and RAM of feature sets on a core: tiny games (tools/footprint) at -Os, minus the same image without Cairn."""
+"""Flash, RAM and stack of feature sets: tiny games (tools/footprint) at -Os, minus the same image without Cairn."""
 
 from __future__ import annotations
 
-import json
+import re
+import shutil
 import subprocess
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
-from typing import Any
 
 from elftools.elf.elffile import ELFFile
-from elftools.elf.sections import SymbolTableSection
+from elftools.elf.sections import Symbol, SymbolTableSection
 
-from . import engine
+from . import call_graph, engine, memory
+from .errors import UserError
 
-# A toolchain file of cmake/ for each core.
-CORES = ("m0", "m3", "m4f")
-FILE = engine.ROOT / "tests" / "bench" / "footprint.json"
+# A toolchain file of cmake/ for each core, and what tools/setup installs by default.
+CORES = ("m0", "m3", "m4f", "rv32")
+DEFAULT_CORES = CORES[:3]
+COMPILERS = {"rv32": "riscv64-unknown-elf-gcc"}
+SOURCES = engine.ROOT / "src"
 PROJECT = engine.ROOT / "tools" / "footprint"
 ADDR2LINE = "arm-none-eabi-addr2line"
 FLAGS = "-Os -g -flto"
-RISE = 0.02  # more than this needs a new record
+TYPES = ("world", "body", "arbiter", "spring_pool", "spring", "quadtree", "quadtree_box", "quadtree_cell",
+         "quadtree_entry", "block", "mesh", "mesh_part", "mesh_node", "mesh_row", "mesh_link", "share")  # fmt: skip
 WRITES, RUNS, TAKES_ROOM = 1, 4, 2  # SHF_WRITE, SHF_EXECINSTR, SHF_ALLOC
 
 
@@ -39,31 +45,44 @@ class FeatureSet:
 
 BASE = ("BALLS", "WALLS", "BOXES")
 SHAPES = (*BASE, "POLYGONS", "RESTITUTION")
-# What each adds to balls, walls and boxes, and the files of src/ that no game without it may contain.
+@dataclass(frozen=True)
+class Feature:
+    """What it is; the files of src/ that no game without it may contain, and functions of other files."""
+
+    what: str
+    files: tuple[str, ...] = ()
+    functions: tuple[str, ...] = ()
+
+
 FEATURES = {
-    "POLYGONS": ("polygons", ("shape_polygon", "collide_polygon")),
-    "HULLS": ("polygons from points", ()),
-    "RESTITUTION": ("restitution", ("bounce", "bounce_meet", "bounce_strike")),
-    "CONTINUOUS": ("continuous collision", ("continuous",)),
-    "SLEEP": ("sleep", ("sleep",)),
-    "QUADTREE": ("the quadtree", ("quadtree", "quadtree_walk")),
-    "SPRINGS": ("springs", ("spring", "spring_map", "spring_ends", "spring_network", "spring_path", "spring_quick",
-                            "spring_reach", "spring_solve")),
-    "BLOCKS": ("blocks", ("block", "block_find", "block_solve")),
-    "CONTACTS": ("reading contacts", ("contact",)),
-    "FORCES": ("forces and impulses", ("body_force",)),
-    "CHANGES": ("changing and destroying bodies", ()),
-    "QUERIES": ("queries", ("query",)),
-    "DRAWING": ("debug drawing", ("debug_draw",)),
-    "HASH": ("the hash", ("hash",)),
-    "MESHES": ("springs with meshes", ("spring_mesh",)),
-    "SLIDES": ("the slides' solver instead", ("solver_slides",)),
+    "POLYGONS": Feature("polygons", ("shape_polygon", "collide_polygon", "polygon_init")),
+    "HULLS": Feature("polygons from points", (), ("cairn_polygon_init", "cairn_polygon_init_hull")),
+    "RESTITUTION": Feature("restitution", ("bounce", "bounce_meet", "bounce_strike")),
+    "CONTINUOUS": Feature("continuous collision", ("continuous",)),
+    "SLEEP": Feature("sleep", ("sleep",)),
+    "QUADTREE": Feature("the quadtree", ("quadtree", "quadtree_walk")),
+    "SPRINGS": Feature("springs", ("spring", "spring_map", "spring_ends", "spring_network", "spring_path",
+                                   "spring_quick", "spring_reach", "spring_solve")),
+    "BLOCKS": Feature("blocks", ("block", "block_find", "block_solve")),
+    "CONTACTS": Feature("reading contacts", ("contact",)),
+    "FORCES": Feature("forces and impulses", ("body_force",)),
+    "CHANGES": Feature("changing and destroying bodies", (), (
+        "cairn_body_set_velocity", "cairn_body_set_angular_velocity", "cairn_body_set_transform",
+        "cairn_body_set_model", "cairn_body_destroy", "cairn_world_set_rate")),
+    "QUERIES": Feature("queries", ("query",)),
+    "DRAWING": Feature("debug drawing", ("debug_draw",)),
+    "HASH": Feature("the hash", ("hash",)),
+    "MESHES": Feature("springs with meshes", ("spring_mesh",)),
+    "SLIDES": Feature("the slides' solver instead", ("solver_slides",)),
     # Of the games that all others build on:
-    "WALLS": ("walls", ("collide_circle_polygon", "shape_box", "collide_box")),
-    "BOXES": ("boxes", ()),
+    "WALLS": Feature("walls", ("collide_circle_polygon", "shape_box", "collide_box")),
+    "BOXES": Feature("boxes"),
 }  # fmt: skip
+# What the step is made of, and what any game may call; the soft solver is the others' instead.
+CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "hold", "idle", "material", "meet",
+              "motion", "rows", "shape_circle", "slide", "solver_soft", "sweep", "sweep_careful", "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
-BROUGHT = {"SLEEP": ("quadtree_walk",)}  # files that a feature shares with another one
+BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
 SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),
@@ -72,8 +91,8 @@ SETS = (
     FeatureSet("shapes", "and boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),
     FeatureSet("everything", "everything in the library", EVERYTHING, 32, 64, 20 * 1024),
     FeatureSet("base", "balls, walls and boxes", BASE),
-    *(FeatureSet(name.lower(), f"+ {what}", (*BASE, *NEEDS.get(name, ()), name))
-      for name, (what, _) in FEATURES.items() if name not in BASE),
+    *(FeatureSet(name.lower(), f"+ {feature.what}", (*BASE, *NEEDS.get(name, ()), name))
+      for name, feature in FEATURES.items() if name not in BASE),
 )  # fmt: skip
 
 Say = Callable[[str], None]
@@ -87,7 +106,9 @@ class Row:
     name: str
     what: str
     flash: int  # code and constants
+    constants: int
     ram: int  # variables: the world's pools
+    stack: int  # at most, of main() and all that it calls
     added: int | None  # flash beyond that of balls, walls and boxes, for what is added to them
     flash_goal: int | None
     ram_goal: int | None
@@ -98,18 +119,22 @@ def measure(cores: tuple[str, ...], say: Say) -> list[Row]:
     rows: list[Row] = []
     for core in cores:
         say(f"feature sets on {core}")
-        sized = {name: sizes(image) for name, image in build(core).items()}
+        images = build(core)
+        sized = {name: sizes(image) for name, image in images.items()}
         bare = sized["none"]
         for entry in SETS[1:]:
             flash, ram = (size - without for size, without in zip(sized[entry.name], bare, strict=True))
             added = sized[entry.name][0] - sized["base"][0] if entry.what.startswith("+") else None
             goals = (entry.flash_goal, entry.ram_goal) if core == "m0" else (None, None)
-            rows.append(Row(core, entry.name, entry.what, flash, ram, added, *goals))
+            image = images[entry.name]
+            rows.append(Row(core, entry.name, entry.what, flash, constants(image), ram, call_graph.image_depth(image),
+                            added, *goals))  # fmt: skip
     return rows
 
 
 def build(core: str) -> dict[str, Path]:
     """The images by the sets' names."""
+    _ask_for_compiler(core)
     folder = engine.BUILDS / f"footprint-{core}"
     sets = ";".join(f"{e.name}:{e.bodies}:{e.arbiters}:{','.join(e.features)}" for e in SETS)
     toolchain = engine.ROOT / "cmake" / f"toolchain-{core}.cmake"
@@ -119,6 +144,15 @@ def build(core: str) -> dict[str, Path]:
                                         f"-DCMAKE_C_FLAGS_RELWITHDEBINFO={FLAGS}"))  # fmt: skip
         engine.check_build(engine.cmake("--build", str(folder)))
     return {entry.name: folder / entry.name for entry in SETS}
+
+
+def _ask_for_compiler(core: str) -> None:
+    compiler = COMPILERS.get(core)
+    if compiler is None:
+        return
+    asked = [compiler, "-print-file-name=picolibc.specs"]  # it prints a path where it finds the file
+    if not shutil.which(compiler) or "/" not in subprocess.check_output(asked, text=True):
+        raise UserError(f"{core} takes {compiler} with picolibc: tools/setup --rv32 installs them")
 
 
 def sizes(image: Path) -> tuple[int, int]:
@@ -132,59 +166,67 @@ def sizes(image: Path) -> tuple[int, int]:
     return flash, ram
 
 
-def functions(image: Path) -> dict[str, str]:
-    """The engine's functions in an image, and the file of src/ or include/ that each is of."""
+def constants(image: Path) -> int:
+    """Bytes of the tables in flash, which have names; what stands between instructions counts as code."""
     with image.open("rb") as binary:
-        table = ELFFile(binary).get_section_by_name(".symtab")
-        assert isinstance(table, SymbolTableSection)
-        found = [s for s in table.iter_symbols() if s["st_info"]["type"] == "STT_FUNC" and s["st_value"]]
-    asked = "\n".join(hex(symbol["st_value"] & ~1) for symbol in found)
-    told = subprocess.run([ADDR2LINE, "-e", str(image)], input=asked, capture_output=True, text=True, check=True).stdout
-    places = (Path(line.rpartition(":")[0]).resolve() for line in told.splitlines())
-    ours = (engine.ROOT / "src", engine.ROOT / "include")
-    return {symbol.name.split(".")[0]: place.name for symbol, place in zip(found, places, strict=True)
-            if any(place.is_relative_to(folder) for folder in ours)}  # fmt: skip
+        elf = ELFFile(binary)
+        fixed = {i for i, s in enumerate(elf.iter_sections()) if s["sh_flags"] & (TAKES_ROOM | WRITES) == TAKES_ROOM}
+        return sum(symbol["st_size"] for symbol in _objects(elf) if symbol["st_shndx"] in fixed)
 
 
-def strangers(entry: FeatureSet, found: dict[str, str]) -> list[str]:
-    """The functions of features that a game does not use."""
-    foreign = {f"{file}.c" for name, (_, files) in FEATURES.items() if name not in entry.features for file in files}
-    foreign -= {f"{file}.c" for name in entry.features for file in BROUGHT.get(name, ())}
-    return sorted(name for name, file in found.items() if file in foreign)
+def type_sizes(core: str) -> dict[str, int]:
+    """Bytes of the types that a world's memory is made of."""
+    return memory.type_sizes(build(core)["everything"], TYPES)
 
 
-# ---- the record ----
+# ---- what is in an image ----
 
 
-def write(rows: list[Row]) -> None:
-    """Sizes, and by feature set the engine's public and shared functions of the first core."""
-    record: dict[str, Any] = {}
-    for row in rows:
-        record.setdefault(row.core, {})[row.name] = {"flash": row.flash, "ram": row.ram}
-    images = build(CORES[0])
-    record["functions"] = {entry.name: _shared(images[entry.name]) for entry in SETS[1:]}
-    FILE.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+def functions(image: Path) -> dict[str, str]:
+    """The functions of src/ in an image and their files; by each instruction's line, which tells inlined ones too."""
+    with image.open("rb") as binary:
+        asked = [hex(address) for section in ELFFile(binary).iter_sections() if section["sh_flags"] & RUNS
+                 for address in range(section["sh_addr"], section["sh_addr"] + section["sh_size"], 2)]  # fmt: skip
+    command = [ADDR2LINE, "-f", "-i", "-e", str(image)]
+    told = subprocess.check_output(command, input="\n".join(asked), text=True).splitlines()
+    places = {(name.split(".")[0], line.rpartition(":")[0]) for name, line in zip(told[::2], told[1::2], strict=True)}
+    return {name: Path(file).name for name, file in places if Path(file).resolve().is_relative_to(SOURCES)}
 
 
-def troubles(rows: list[Row]) -> Iterator[str]:
-    """What changed by more than the record allows, a gain too; and what is in an image that it does not need."""
-    record = json.loads(FILE.read_text(encoding="utf-8"))
-    for row in rows:
-        kept = record.get(row.core, {}).get(row.name)
-        if kept is None:
-            yield f"{row.name} on {row.core}: not on record"
-            continue
-        for what, now in (("flash", row.flash), ("ram", row.ram)):
-            if abs(now - kept[what]) > RISE * kept[what]:
-                yield f"{row.name} on {row.core}: {now:,} bytes of {what}, on record {kept[what]:,}"
-    images = build(CORES[0])
-    for entry in SETS[1:]:
-        for name in strangers(entry, functions(images[entry.name])):
-            yield f"{entry.name}: contains {name}, of a feature that it does not use"
-        for name in sorted(set(_shared(images[entry.name])) - set(record["functions"].get(entry.name, ()))):
-            yield f"{entry.name}: contains {name}, not on record"
+def tables(image: Path) -> dict[str, str]:
+    """The engine's constants in an image, and the file of src/ that defines each: where two do, neither."""
+    known = constant_names()
+    with image.open("rb") as binary:
+        names = {symbol.name.split(".")[0] for symbol in _objects(ELFFile(binary))}  # -flto puts numbers behind some
+    return {name: known[name] for name in names if name in known}
 
 
-def _shared(image: Path) -> list[str]:
-    """The functions that the engine's files share; the others the compiler may split and merge as it likes."""
-    return sorted(name for name in functions(image) if name.startswith("cairn_"))
+def _objects(elf: ELFFile) -> list[Symbol]:
+    table = elf.get_section_by_name(".symtab")
+    assert isinstance(table, SymbolTableSection)
+    return [symbol for symbol in table.iter_symbols() if symbol["st_info"]["type"] == "STT_OBJECT"]
+
+
+@cache
+def constant_names() -> dict[str, str]:
+    """The file-scope constants of src/, by name."""
+    pattern = r"^(?:static )?const [\w \*]*?\b(\w+)(?:\[[^\n=]*\])? = "
+    places = [(name, file.name) for file in sorted(SOURCES.glob("*.c"))
+              for name in re.findall(pattern, file.read_text(encoding="utf-8"), re.M)]  # fmt: skip
+    count = Counter(name for name, _ in places)
+    return {name: file for name, file in places if count[name] == 1}
+
+
+def strangers(features: tuple[str, ...], found: dict[str, str]) -> list[str]:
+    """The functions and tables, by name with their files, of features that a game does not use."""
+    others = [feature for name, feature in FEATURES.items() if name not in features]
+    files = {f"{file}.c" for feature in others for file in feature.files}
+    files -= {f"{file}.c" for name in features for file in BROUGHT.get(name, ())}
+    names = {name for feature in others for name in feature.functions}
+    return sorted(name for name, file in found.items() if file in files or name in names)
+
+
+def unplaced_files() -> list[str]:
+    """Files of src/ that no feature names, so that nothing tells where they must not be; and names without a file."""
+    placed = {file for feature in FEATURES.values() for file in feature.files} | set(CORE_FILES)
+    return sorted({file.stem for file in SOURCES.glob("*.c")} ^ placed)

@@ -198,19 +198,26 @@ def pool_sizes(image: Path) -> dict[str, int]:
                 and s["st_value"] >= RAM}  # fmt: skip
 
 
-def type_sizes(image: Path) -> dict[str, int]:
-    """Bytes of the engine's types by name."""
-    wanted = {f"cairn_{name}" for name in TYPES}
+def type_sizes(image: Path, names: Iterable[str] | None = None) -> dict[str, int]:
+    """Bytes of the engine's types by name; by default of TYPES."""
+    wanted = {f"cairn_{name}" for name in names or TYPES}
     found: dict[str, int] = {}
     with image.open("rb") as binary:
         for name, die in _typedefs(ELFFile(binary)):
             if name in wanted - found.keys():
-                target = die.get_DIE_from_attribute("DW_AT_type")
+                target = _target(die)
                 if "DW_AT_byte_size" in target.attributes:
                     found[name] = target.attributes["DW_AT_byte_size"].value
             if len(found) == len(wanted):
                 return found
     raise engine.EngineError(f"the image does not tell the size of {', '.join(sorted(wanted - found.keys()))}")
+
+
+def _target(die: DIE) -> DIE:
+    """What a name stands for in the end."""
+    while die.tag == "DW_TAG_typedef":
+        die = die.get_DIE_from_attribute("DW_AT_type")
+    return die
 
 
 def _typedefs(elf: Any) -> Iterator[tuple[str, DIE]]:
