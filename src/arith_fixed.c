@@ -298,6 +298,8 @@ cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b)
     return word_of(0x80000000u + fraction(over - under, under), exponent);
 }
 
+cairn_wide_word cairn_word_inverse(cairn_wide_word a) { return cairn_word_div(word_of(0x80000000u, -31), a); }
+
 cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b)
 {
     bool less = cairn_wide_less(cairn_wide_from_word(a), cairn_wide_from_word(b));
@@ -327,10 +329,10 @@ static uint64_t shifted(uint64_t x, int shift)
     return ((x >> (shift - 1)) + 1) >> 1;
 }
 
-int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent)
+int32_t cairn_word_scale(cairn_wide_word k, int32_t x, int exponent)
 {
-    uint64_t product = cairn_product(magnitude(x), k.mantissa);
-    int shift = -(k.exponent + exponent);
+    uint64_t product = cairn_product(magnitude(x), (uint32_t)k);
+    int shift = -(exponent_of(k) + exponent);
 
     if (shift > 32) { /* the common case: the high word alone */
         int32_t size = shift > 63 ? 0 : (int32_t)(((high_word(product) >> (shift - 33)) + 1) >> 1);
@@ -530,7 +532,7 @@ cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s
 
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
 {
-    int32_t quotient = cairn_wide_scale(1, cairn_wide_div(cairn_wide_of(x, -28), cairn_wide_of(f, -20)), 28);
+    int32_t quotient = cairn_word_scale(cairn_word_div(cairn_word_of(x, -28), cairn_word_of(f, -20)), 1, 28);
     return x < 0 ? -quotient : quotient;
 }
 

@@ -32,7 +32,7 @@ static uint8_t slot_of(cairn_block *block, cairn_body *body)
 /* Inverse masses relative to the lightest, and how soft the contacts are with the heaviest. */
 static void weigh(cairn_block *block)
 {
-    cairn_wide lightest = cairn_wide_from_int(0), heaviest = lightest;
+    cairn_wide lightest = cairn_wide_zero(), heaviest = lightest;
     for (int i = 0; i < block->body_count; i++) {
         cairn_wide mass = cairn_body_mass_of(block->bodies[i].body);
         if (!cairn_wide_is_zero(mass)) {
@@ -74,7 +74,7 @@ static void add_rows(cairn_block *block, const cairn_arbiter *arbiter)
 
 static void load_impulses(cairn_block *block, const cairn_arbiter *arbiter, int first)
 {
-    cairn_wide per_unit = cairn_wide_div(cairn_wide_from_int(1), unit_of(block, &block->rows[first]));
+    cairn_wide per_unit = cairn_wide_inverse(unit_of(block, &block->rows[first]));
     for (int i = 0; i <= arbiter->count; i++) {
         cairn_motion impulse = i == arbiter->count ? arbiter->friction_impulse : arbiter->rows[i].impulse;
         block->rows[first + i].impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(impulse), arbiter->past.block.exponent), per_unit);

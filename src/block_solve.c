@@ -145,7 +145,7 @@ static void factorise(cairn_block_factors *f)
         cairn_unit d = f->column[at(j, j)];
         d = d < PROXIMAL / 2 ? PROXIMAL / 2 : d; /* by rounding only */
         int room = cairn_unit_room(d);
-        f->inverse[j] = cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_unit(d));
+        f->inverse[j] = cairn_wide_inverse(cairn_wide_from_unit(d));
         for (int k = j + 1; k < f->count; k++) {
             cairn_unit below = f->column[at(k, j)];
             if (below == 0) {

@@ -66,13 +66,22 @@ cairn_body_id cairn_world_next_body(const cairn_world *world, cairn_body_id id)
 
 /* ---- masses of two ---- */
 
-cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b)
+cairn_wide_word cairn_body_mass_word(const cairn_body *body)
+{
+    const cairn_body_model *model = body->model;
+    if (!cairn_body_is_dynamic(body)) {
+        return cairn_wide_to_word(cairn_wide_zero());
+    }
+    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(model->shape->kind->area(model->shape)), model->density));
+}
+
+cairn_wide_word cairn_bodies_reduced_mass_word(const cairn_body *a, const cairn_body *b)
 {
     cairn_wide of_a = cairn_body_mass_of(a), of_b = a->model == b->model ? of_a : cairn_body_mass_of(b);
     if (cairn_wide_is_zero(of_a) || cairn_wide_is_zero(of_b)) {
-        return cairn_wide_is_zero(of_a) ? of_b : of_a;
+        return cairn_wide_to_word(cairn_wide_is_zero(of_a) ? of_b : of_a);
     }
-    return cairn_wide_div(cairn_wide_mul(of_a, of_b), cairn_wide_add(of_a, of_b));
+    return cairn_wide_to_word(cairn_wide_div(cairn_wide_mul(of_a, of_b), cairn_wide_add(of_a, of_b)));
 }
 
 cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b)
@@ -164,7 +173,7 @@ static void take_model(cairn_world *world, cairn_body *body, const cairn_body_mo
     body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
     body->inverse_gyration = 0;
     if (model->type == CAIRN_KINEMATIC || (model->type == CAIRN_DYNAMIC && !model->fixed_rotation)) {
-        body->inverse_gyration = cairn_wide_pack(cairn_wide_div(cairn_wide_from_int(1), mass->gyration));
+        body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(mass->gyration));
     }
     if (model->material->bounce != NULL) {
         world->bounce = model->material->bounce;
@@ -394,8 +403,8 @@ cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)
     }
     cairn_status status = shape->kind->check(shape);
     if (status == CAIRN_OK) {
-        out->area = shape->kind->area(shape);
-        out->gyration = shape->kind->gyration(shape);
+        out->area = cairn_wide_from_word(shape->kind->area(shape));
+        out->gyration = cairn_wide_from_word(shape->kind->gyration(shape));
     }
     return status;
 }

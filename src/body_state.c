@@ -104,7 +104,7 @@ cairn_vec2 cairn_body_to_local(cairn_world *world, cairn_body_id id, cairn_vec2 
 cairn_wide cairn_body_mass(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
-    return body == NULL ? cairn_wide_from_int(0) : cairn_body_mass_of(body);
+    return body == NULL ? cairn_wide_zero() : cairn_body_mass_of(body);
 }
 
 /* m rho^2 */
@@ -112,7 +112,7 @@ cairn_wide cairn_body_inertia(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
     if (body == NULL) {
-        return cairn_wide_from_int(0);
+        return cairn_wide_zero();
     }
     cairn_wide inverse = cairn_body_inverse_gyration(body);
     return cairn_wide_div(cairn_body_mass_of(body), cairn_wide_mul(inverse, inverse));

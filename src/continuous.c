@@ -45,7 +45,7 @@ static cairn_angle turn_of(const cairn_body *body, cairn_motion w)
 /* By the velocities of the step's start; a spin beyond the limit will be cut to it. */
 static course ahead(const cairn_world *world, const cairn_body *body, cairn_offset x, cairn_offset y)
 {
-    cairn_motion w = cairn_motion_clamp(body->w, world->spin_limit);
+    cairn_motion w = cairn_motion_clamp(body->w, world->speed_limit);
     course c;
     c.body = body;
     c.x = x;

@@ -110,14 +110,15 @@ static inline bool cairn_body_is_stirring(const cairn_body *body)
 }
 
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
-static inline cairn_wide cairn_body_mass_of(const cairn_body *body)
-{
-    const cairn_body_model *model = body->model;
-    return cairn_body_is_dynamic(body) ? cairn_wide_mul(model->shape->kind->area(model->shape), model->density) : cairn_wide_from_int(0);
-}
+cairn_wide_word cairn_body_mass_word(const cairn_body *body);
+CAIRN_ALWAYS_INLINE cairn_wide cairn_body_mass_of(const cairn_body *body) { return cairn_wide_from_word(cairn_body_mass_word(body)); }
 
 /* mA mB / (mA + mB), or the mass of the one that is dynamic. */
-cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b);
+cairn_wide_word cairn_bodies_reduced_mass_word(const cairn_body *a, const cairn_body *b);
+CAIRN_ALWAYS_INLINE cairn_wide cairn_bodies_reduced_mass(const cairn_body *a, const cairn_body *b)
+{
+    return cairn_wide_from_word(cairn_bodies_reduced_mass_word(a, b));
+}
 /* What the first of two dynamic bodies takes of a change of their relative velocity: mB / (mA + mB). */
 cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
 
@@ -151,7 +152,7 @@ static inline bool cairn_arbiter_has_two(const cairn_arbiter *arbiter) { return 
 #define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
 
 static inline bool cairn_body_can_turn(const cairn_body *body) { return body->inverse_gyration != 0; }
-static inline cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
 
 static inline bool cairn_body_is_round(const cairn_body *body) { return body->model->shape->kind->outline == NULL; }
 
@@ -462,7 +463,8 @@ static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap
  * Soft contacts: h w0 = 1.559 and damping ratio 4.76. Numerics found pi / 2 and 5; these are as near to it as sums of two shifts come, which
  * is what the sub-steps take for each body and row.
  */
-#define CAIRN_SOFT_BETA_NUMBER (9.0 / 64) /* share of the penetration corrected in a sub-step */
+#define CAIRN_SOFT_BETA_64THS 9 /* share of the penetration corrected in a sub-step */
+#define CAIRN_SOFT_BETA_NUMBER (CAIRN_SOFT_BETA_64THS / 64.0)
 #define CAIRN_SOFT_BETA CAIRN_RATIO(CAIRN_SOFT_BETA_NUMBER)
 static inline cairn_motion cairn_soft_lean(cairn_motion x) { return cairn_motion_shifted(x, 3) + cairn_motion_shifted(x, 6); }
 /* 7/128: of the accumulated impulse that is given back, and that the effective mass lacks */
@@ -472,14 +474,12 @@ static inline cairn_motion cairn_soft_yield(cairn_motion x) { return cairn_motio
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
 #define CAIRN_SWEEP_SPEED CAIRN_MOTION(0.93)
 #define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.93)
-#define CAIRN_SWEEP_SPEED_WIDE cairn_wide_div(cairn_wide_from_int(93), cairn_wide_from_int(100))
-#define CAIRN_SWEEP_SPIN_WIDE CAIRN_SWEEP_SPEED_WIDE
+#define CAIRN_SWEEP_SPEED_WIDE CAIRN_WIDE_PART(0.93)
 /* What an impulse of any size adds to a spin: cut to what the product has room for, enough to turn a corner's spin round. */
 static inline cairn_motion cairn_twist(cairn_motion impulse, cairn_lever j)
 {
     return cairn_motion_lever(cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX), j);
 }
-#define CAIRN_SOFT_BETA_WIDE cairn_wide_div(cairn_wide_from_int(9), cairn_wide_from_int(64))
 
 /* ---- spring.c, through the class so that worlds without springs do not link it ---- */
 typedef struct cairn_spring_class {

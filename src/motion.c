@@ -4,7 +4,7 @@
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 {
     cairn_motion vx = cairn_motion_clamp(body->vx, world->speed_limit), vy = cairn_motion_clamp(body->vy, world->speed_limit);
-    cairn_motion w = cairn_motion_clamp(body->w, world->spin_limit);
+    cairn_motion w = cairn_motion_clamp(body->w, world->speed_limit);
     if (vx != body->vx || vy != body->vy || w != body->w) {
         world->stats.saturations++;
         body->vx = vx;
@@ -133,7 +133,7 @@ static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real 
         return v;
     }
     cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(world->rate));
-    return cairn_motion_scale(v, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_add(cairn_wide_from_int(1), c_dt)));
+    return cairn_motion_scale(v, cairn_wide_inverse(cairn_wide_add(cairn_wide_from_int(1), c_dt)));
 }
 
 static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)

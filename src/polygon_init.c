@@ -155,7 +155,7 @@ static cairn_wide sum_of(cairn_offset x, cairn_offset y, cairn_offset z)
 static cairn_offset2 centroid_of(const corner_list *corners)
 {
     cairn_offset2 low = lowest(corners), first = corners->at[0], centroid;
-    cairn_wide x = cairn_wide_from_int(0), y = cairn_wide_from_int(0);
+    cairn_wide x = cairn_wide_zero(), y = cairn_wide_zero();
     cairn_wide thrice = cairn_wide_mul(cairn_wide_from_int(3), twice_area(corners));
     for (int i = 1; i + 1 < corners->count; i++) {
         cairn_offset2 b = corners->at[i], c = corners->at[i + 1];
@@ -188,7 +188,7 @@ static cairn_wide centroid_distance(const corner_list *corners, int i, int j)
  */
 static cairn_wide gyration_squared(const corner_list *corners, cairn_wide whole)
 {
-    cairn_wide own = cairn_wide_from_int(0), spread = cairn_wide_from_int(0);
+    cairn_wide own = cairn_wide_zero(), spread = cairn_wide_zero();
     for (int i = 1; i + 1 < corners->count; i++) {
         cairn_wide share = cairn_wide_div(cairn_wide_from_area(fan_area(corners, i)), whole);
         own = cairn_wide_add(own, cairn_wide_mul(share, triangle_gyration(corners->at[0], corners->at[i], corners->at[i + 1])));

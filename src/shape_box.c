@@ -10,16 +10,17 @@ static cairn_status check(const cairn_shape *shape)
     return cairn_real_length(w, h) <= 2 * CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_wide area(const cairn_shape *shape)
+static cairn_wide_word area(const cairn_shape *shape)
 {
-    return cairn_wide_mul(cairn_wide_from_real(shape->size.x), cairn_wide_from_real(shape->size.y));
+    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_real(shape->size.x), cairn_wide_from_real(shape->size.y)));
 }
 
 /* gyration^2 = (w^2 + h^2) / 12 */
-static cairn_wide gyration(const cairn_shape *shape)
+static cairn_wide_word gyration(const cairn_shape *shape)
 {
     cairn_wide w = cairn_wide_from_real(shape->size.x), h = cairn_wide_from_real(shape->size.y);
-    return cairn_wide_sqrt(cairn_wide_div(cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h)), cairn_wide_from_int(12)));
+    cairn_wide squared = cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h));
+    return cairn_wide_to_word(cairn_wide_sqrt(cairn_wide_div(squared, cairn_wide_from_int(12))));
 }
 
 static cairn_real inradius(const cairn_shape *shape)

@@ -6,16 +6,22 @@ static cairn_status check(const cairn_shape *shape)
     return shape->size.x >= CAIRN_SHAPE_RADIUS_MIN && shape->size.x <= CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_wide square(const cairn_shape *shape)
+static cairn_wide_word square(const cairn_shape *shape)
 {
     cairn_wide r = cairn_wide_from_real(shape->size.x);
-    return cairn_wide_mul(r, r);
+    return cairn_wide_to_word(cairn_wide_mul(r, r));
 }
 
-static cairn_wide area(const cairn_shape *shape) { return cairn_wide_mul(square(shape), CAIRN_WIDE_PI); }
+static cairn_wide_word area(const cairn_shape *shape)
+{
+    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(square(shape)), CAIRN_WIDE_PI));
+}
 
 /* gyration^2 = r^2 / 2 */
-static cairn_wide gyration(const cairn_shape *shape) { return cairn_wide_sqrt(cairn_wide_div(square(shape), cairn_wide_from_int(2))); }
+static cairn_wide_word gyration(const cairn_shape *shape)
+{
+    return cairn_wide_to_word(cairn_wide_sqrt(cairn_wide_div(cairn_wide_from_word(square(shape)), cairn_wide_from_int(2))));
+}
 
 static cairn_real inradius(const cairn_shape *shape) { return shape->size.x; }
 

@@ -7,8 +7,8 @@ static cairn_status check(const cairn_shape *shape)
     return polygon != NULL && polygon->count >= 3 && polygon->count <= CAIRN_MAX_VERTICES ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_wide area(const cairn_shape *shape) { return shape->polygon->mass.area; }
-static cairn_wide gyration(const cairn_shape *shape) { return shape->polygon->mass.gyration; }
+static cairn_wide_word area(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.area); }
+static cairn_wide_word gyration(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.gyration); }
 
 /* The nearest edge. */
 static cairn_real inradius(const cairn_shape *shape)

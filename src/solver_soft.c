@@ -207,7 +207,7 @@ static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share s
 static bool repeats_too_fast(const cairn_world *world, const cairn_body *body)
 {
     cairn_motion x = 2 * body->vx - body->ux, y = 2 * body->vy - body->uy, w = 2 * body->w - body->uw, limit = world->speed_limit;
-    return x != cairn_motion_clamp(x, limit) || y != cairn_motion_clamp(y, limit) || w != cairn_motion_clamp(w, world->spin_limit);
+    return x != cairn_motion_clamp(x, limit) || y != cairn_motion_clamp(y, limit) || w != cairn_motion_clamp(w, world->speed_limit);
 }
 
 /* Whether an impulse of this size, with its friction and by levers of up to 2.83, cannot lead beyond it. */

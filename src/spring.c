@@ -147,7 +147,7 @@ static bool is_amount_valid(cairn_wide amount) { return !cairn_wide_less(cairn_w
 /* As a spring keeps it; what is less than 2^-64 is nothing. */
 static cairn_packed kept(cairn_wide amount)
 {
-    return cairn_wide_pack(cairn_wide_less(amount, cairn_wide_of(1, -64)) ? cairn_wide_from_int(0) : amount);
+    return cairn_wide_pack(cairn_wide_less(amount, cairn_wide_of(1, -64)) ? cairn_wide_zero() : amount);
 }
 
 static cairn_spring *take_place(cairn_spring_pool *pool)

@@ -90,7 +90,7 @@ static matrix oscillator(cairn_wide w, cairn_wide d)
 static cairn_wide in_substeps(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_wide amount, cairn_wide power)
 {
     if (spring->share_a == 0 && spring->share_b == 0) {
-        return cairn_wide_from_int(0);
+        return cairn_wide_zero();
     }
     return cairn_wide_div(cairn_wide_mul(amount, power), cairn_bodies_reduced_mass(a, b));
 }
@@ -110,7 +110,7 @@ static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
     cairn_wide whole = cairn_wide_add(cairn_wide_from_int(1), cairn_wide_add(b, d));
     spring->velocity_gain = cairn_wide_to_share(cairn_wide_div(d, whole));
     spring->position_gain = cairn_wide_div(b, whole);
-    spring->yield = cairn_wide_to_share(cairn_wide_div(cairn_wide_from_int(1), whole));
+    spring->yield = cairn_wide_to_share(cairn_wide_inverse(whole));
     spring->flags &= (uint16_t)~CAIRN_SPRING_EXACT;
 }
 
@@ -154,7 +154,7 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
         damping = cairn_wide_mul(damping, over_e);
     }
     bool alone = is_alone(a, b);
-    bool soft = cairn_wide_less(stiffness, cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(5)))
+    bool soft = cairn_wide_less(stiffness, cairn_wide_inverse(cairn_wide_from_int(5)))
              && cairn_wide_less(damping, cairn_wide_from_int(16));
     if (alone && soft && !cairn_wide_is_zero(stiffness)) {
         map_exactly(spring, stiffness, damping);

@@ -244,7 +244,7 @@ static void weigh_link(const web *w, cairn_mesh_link *link, cairn_wide most)
 
 static void weigh_links(const web *w)
 {
-    cairn_wide most = cairn_wide_from_int(0), softest = cairn_wide_from_int(1), stiffness, damping;
+    cairn_wide most = cairn_wide_zero(), softest = cairn_wide_from_int(1), stiffness, damping;
     for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
         node->scale = node->turning = cairn_body_mass_of(body_of(w, node));
     }
@@ -429,7 +429,7 @@ static void factorise(const web *w)
         }
         cairn_share left = cairn_sum_share(less_products(cairn_sum_of(row->value), w, row, row));
         left = left < PIVOT_MIN ? PIVOT_MIN : left;
-        row->inverse = cairn_wide_div(cairn_wide_from_int(1), cairn_wide_sqrt(cairn_wide_from_share(left)));
+        row->inverse = cairn_wide_inverse(cairn_wide_sqrt(cairn_wide_from_share(left)));
     }
     w->part->turned = 0;
 }

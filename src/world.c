@@ -10,21 +10,21 @@ static void derive(cairn_world *world)
 {
     cairn_wide per_second = cairn_wide_mul(cairn_wide_from_real(world->rate), cairn_wide_from_int(world->substeps));
     world->inverse_substep = per_second;
-    world->substep = cairn_wide_div(cairn_wide_from_int(1), per_second);
+    world->substep = cairn_wide_inverse(per_second);
     cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
     world->gravity_x = cairn_diffused_of(world->gravity.x, squared);
     world->gravity_y = cairn_diffused_of(world->gravity.y, squared);
     world->rest_limit = cairn_motion_from_real(CAIRN_REST_SPEED, world->substep);
-    world->rest_damping = cairn_ratio_from_wide(cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_real(world->rate)));
-    world->stick = cairn_ratio_from_wide(cairn_wide_div(cairn_wide_from_int(1), cairn_wide_from_int(STICK_STEPS * world->substeps)));
+    world->rest_damping = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_real(world->rate)));
+    world->stick = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_int(STICK_STEPS * world->substeps)));
     world->push_out_limit = cairn_motion_from_real(world->push_out, world->substep);
     /*
      * Within the biased pass a body holds v + beta d with d up to n v; that must stay below CAIRN_SWEEP_SPEED, and d
      * within its format.
      */
-    cairn_wide lean = cairn_wide_add(cairn_wide_from_int(1), cairn_wide_mul(CAIRN_SOFT_BETA_WIDE, cairn_wide_from_int(world->substeps)));
-    world->speed_limit = cairn_wide_to_motion(cairn_wide_div(CAIRN_SWEEP_SPEED_WIDE, lean));
-    world->spin_limit = cairn_wide_to_motion(cairn_wide_div(CAIRN_SWEEP_SPIN_WIDE, lean));
+    static const cairn_wide most = CAIRN_SWEEP_SPEED_WIDE;
+    cairn_wide lean = cairn_wide_of(64 + CAIRN_SOFT_BETA_64THS * world->substeps, -6); /* 1 + beta n */
+    world->speed_limit = cairn_wide_to_motion(cairn_wide_div(most, lean));
 }
 
 /* Velocities and impulses are kept in sub-step units: bring them to a new sub-step. */

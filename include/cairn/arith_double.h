@@ -73,16 +73,23 @@ static inline cairn_real cairn_angle_radians(cairn_angle a) { return remainder(a
 static inline cairn_angle cairn_angle_from_radians(cairn_real radians) { return radians; }
 static inline cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole) { return 2 * CAIRN_PI * part / whole; }
 
+/* A wide number is handed over as it is. */
+typedef cairn_wide cairn_wide_word;
+static inline cairn_wide_word cairn_wide_to_word(cairn_wide a) { return a; }
+static inline cairn_wide cairn_wide_from_word(cairn_wide_word w) { return w; }
 static inline cairn_wide cairn_wide_of(double x, int exponent) { return ldexp(fabs(x), exponent); }
 static inline cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b) { return a * b; }
 static inline cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b) { return b != 0 ? a / b : 0; }
+static inline cairn_wide cairn_wide_inverse(cairn_wide a) { return cairn_wide_div(1, a); }
 static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a + b; }
 static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
 #define CAIRN_DENSITY(x) (x)
+#define CAIRN_WIDE_PART(x) (x)
 #define CAIRN_WIDE_PI CAIRN_PI
 static inline cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d) { return fabs(a * d - b * c); }
 static inline cairn_packed cairn_wide_pack(cairn_wide k) { return k; }
 static inline cairn_wide cairn_wide_unpack(cairn_packed p) { return p; }
+static inline cairn_wide cairn_wide_zero(void) { return 0; }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }

@@ -226,10 +226,12 @@ cairn_wide_word cairn_word_of(int32_t x, int exponent);
 cairn_wide_word cairn_word_mul(cairn_wide_word a, cairn_wide_word b);
 cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b);
 cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b);
+cairn_wide_word cairn_word_inverse(cairn_wide_word a);
 cairn_wide_word cairn_word_sqrt(cairn_wide_word a);
 cairn_wide_word cairn_word_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d);
 cairn_wide_word cairn_word_from_area(cairn_area a);
 cairn_wide_word cairn_word_from_sum(cairn_offset a, cairn_offset b);
+int32_t cairn_word_scale(cairn_wide_word k, int32_t x, int exponent);
 
 /* |x| * 2^exponent */
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_of(int32_t x, int exponent) { return cairn_wide_from_word(cairn_word_of(x, exponent)); }
@@ -242,6 +244,8 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_div(cairn_wide a, cairn_wide b)
 {
     return cairn_wide_from_word(cairn_word_div(cairn_wide_to_word(a), cairn_wide_to_word(b)));
 }
+/* 1 / a; of zero it is zero */
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_inverse(cairn_wide a) { return cairn_wide_from_word(cairn_word_inverse(cairn_wide_to_word(a))); }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b)
 {
     return cairn_wide_from_word(cairn_word_add(cairn_wide_to_word(a), cairn_wide_to_word(b)));
@@ -257,10 +261,13 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_area(cairn_area a) { return cairn
 /* |a + b|, rounded to 32 bits; the sum may lie outside of the offsets' range. */
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset b) { return cairn_wide_from_word(cairn_word_from_sum(a, b)); }
 /* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
-int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent);
+CAIRN_ALWAYS_INLINE int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent) { return cairn_word_scale(cairn_wide_to_word(k), x, exponent); }
+/* A constant initialiser of 1/2 to less than 1. */
+#define CAIRN_WIDE_PART(x) { (uint32_t)CAIRN_ROUND(x, 4294967296.0), -32 }
 /* A constant initialiser of 0 to 65535 for what is only multiplied: in steps of 2^-16, its top bit need not be set. */
 #define CAIRN_DENSITY(x) { (uint32_t)CAIRN_ROUND(x, 65536.0), -16 }
 #define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_zero(void) { return cairn_wide_from_word(0); }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
 {
@@ -273,16 +280,16 @@ static inline cairn_packed cairn_wide_pack(cairn_wide k)
     uint32_t carry = k.mantissa >= 0xFFFFFF80u, mantissa = carry ? 0x80000000u : k.mantissa + 128u;
     return k.mantissa == 0 ? 0 : (mantissa & 0xFFFFFF00u) | (((uint32_t)k.exponent + carry) & 0xFFu);
 }
-static inline cairn_wide cairn_wide_unpack(cairn_packed p)
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_unpack(cairn_packed p)
 {
     cairn_wide k;
     k.mantissa = p & 0xFFFFFF00u;
     k.exponent = (int8_t)(uint8_t)p;
     return k;
 }
-static inline cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
-static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
-static inline cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return cairn_wide_scale(1, k, 16); }
 static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_scale(1, k, 30); }
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }
@@ -644,11 +651,11 @@ static inline cairn_motion cairn_motion_64th(cairn_offset x) { return x; }
 
 /* x * k */
 static inline cairn_motion cairn_motion_from_offset_wide(cairn_offset x, cairn_wide k) { return cairn_wide_scale(x, k, 6); }
-static inline cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_factor(cairn_factor x) { return cairn_wide_of(x, -20); }
 static inline cairn_ratio cairn_ratio_from_wide(cairn_wide k) { return (cairn_ratio)cairn_clamp(cairn_wide_scale(1, k, 14), INT16_MAX); }
 /* An angle times a fraction in [0, 1]. */
 static inline cairn_angle cairn_angle_part(cairn_angle a, cairn_unit part) { return cairn_mul32(a, part, 30); }
-static inline cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_share(cairn_share x) { return cairn_wide_of(x, -30); }
 /* x / 2^n, 0 <= n <= 30 */
 static inline cairn_share cairn_share_shift(cairn_share x, int n) { return n > 0 ? (x + (1 << (n - 1))) >> n : x; }
 static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return cairn_mul32(a, b, 30); }
@@ -724,7 +731,7 @@ static inline int cairn_unit_room(cairn_unit x) { return x < CAIRN_UNIT(0.25) ? 
 static inline cairn_unit cairn_unit_grow(cairn_unit x, int n) { return (cairn_unit)((uint32_t)x << n); }
 static inline cairn_unit cairn_unit_mul(cairn_unit a, cairn_unit b) { return cairn_mul32(a, b, 30); }
 static inline cairn_unit cairn_unit_scale(cairn_unit x, cairn_wide k, int exponent) { return cairn_wide_scale(x, k, exponent); }
-static inline cairn_wide cairn_wide_from_unit(cairn_unit x) { return cairn_wide_of(x, -30); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_unit(cairn_unit x) { return cairn_wide_of(x, -30); }
 
 /* ---- coefficients ---- */
 

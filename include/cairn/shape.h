@@ -45,8 +45,9 @@ typedef struct cairn_mass_data {
 typedef struct cairn_shape_class {
     uint8_t rank;
     cairn_status (*check)(const struct cairn_shape *shape);
-    cairn_wide (*area)(const struct cairn_shape *shape);
-    cairn_wide (*gyration)(const struct cairn_shape *shape);
+    /* Area and radius of gyration. */
+    cairn_wide_word (*area)(const struct cairn_shape *shape);
+    cairn_wide_word (*gyration)(const struct cairn_shape *shape);
     /* Radius of a disc about the centre of mass that the shape covers. */
     cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */

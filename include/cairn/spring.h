@@ -110,8 +110,8 @@ static inline cairn_spring_def cairn_spring_def_default(cairn_body_id a, cairn_b
     def.anchor_a = cairn_vec2_of(0, 0);
     def.anchor_b = cairn_vec2_of(0, 0);
     def.rest_length = CAIRN_F(-1);
-    def.stiffness = cairn_wide_from_int(0);
-    def.damping = cairn_wide_from_int(0);
+    def.stiffness = cairn_wide_zero();
+    def.damping = cairn_wide_zero();
     def.no_contact = false;
     return def;
 }

@@ -116,7 +116,7 @@ typedef struct cairn_world {
     struct cairn_quadtree *tree;
 
     cairn_motion push_out_limit;               /* the same as push_out, in metres per sub-step */
-    cairn_motion speed_limit, spin_limit;      /* metres per sub-step */
+    cairn_motion speed_limit;                  /* of spins, too; metres per sub-step */
     cairn_motion rest_limit;                   /* slower bodies may be calmed, see motion.c */
     cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */

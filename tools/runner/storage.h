@@ -12,10 +12,10 @@ static inline uint16_t runner_entries(const cairn_scene *scene) { return (uint16
 /* Has one of its moving bodies more than 30 times the mass of another? Then it is given memory for blocks. */
 static inline bool runner_is_uneven(const cairn_scene *scene)
 {
-    cairn_wide least = cairn_wide_from_int(0), most = least;
+    cairn_wide least = cairn_wide_zero(), most = least;
     for (int i = 0; i < scene->body_count; i++) {
         const cairn_body_model *model = &scene->models[scene->bodies[i].model];
-        const cairn_wide mass = cairn_wide_mul(model->shape->kind->area(model->shape), model->density);
+        const cairn_wide mass = cairn_wide_mul(cairn_wide_from_word(model->shape->kind->area(model->shape)), model->density);
         if (model->type == CAIRN_DYNAMIC) {
             least = cairn_wide_is_zero(least) || cairn_wide_less(mass, least) ? mass : least;
             most = cairn_wide_less(most, mass) ? mass : most;
