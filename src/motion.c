@@ -136,12 +136,12 @@ static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real 
     return cairn_motion_scale(v, cairn_wide_inverse(cairn_wide_add(cairn_wide_from_int(1), c_dt)));
 }
 
-static cairn_motion scaled(cairn_motion gravity, const cairn_body *body)
+static cairn_motion scaled(const cairn_world *world, cairn_motion gravity, const cairn_body *body)
 {
     if (cairn_body_is_fixed(body)) {
         return 0;
     }
-    return cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale));
+    return cairn_motion_clamp(cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale)), world->speed_limit);
 }
 
 void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
@@ -160,8 +160,8 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
         body->vy = cairn_motion_add(body->vy + gy, fy);
         body->w = cairn_motion_add(body->w, fw);
     } else if (cairn_body_is_dynamic(body)) {
-        body->vx = cairn_motion_add(body->vx + scaled(gx, body), fx);
-        body->vy = cairn_motion_add(body->vy + scaled(gy, body), fy);
+        body->vx = cairn_motion_add(body->vx + scaled(world, gx, body), fx);
+        body->vy = cairn_motion_add(body->vy + scaled(world, gy, body), fy);
         body->w = cairn_motion_add(body->w, fw);
     }
     if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) {
@@ -314,8 +314,8 @@ static void straighten(const cairn_world *world, cairn_body *body)
 {
     cairn_motion gx = world->gravity_x.whole, gy = world->gravity_y.whole;
     if (!(body->flags & CAIRN_BODY_PLAIN)) {
-        gx = scaled(gx, body);
-        gy = scaled(gy, body);
+        gx = scaled(world, gx, body);
+        gy = scaled(world, gy, body);
     }
     body->dx -= cairn_motion_half(gx * world->substeps);
     body->dy -= cairn_motion_half(gy * world->substeps);

@@ -77,11 +77,11 @@ static matrix oscillator(cairn_wide w, cairn_wide d)
         sum.d += term.d;
     }
     for (int i = 0; i < halvings; i++) {
-        matrix square = product(sum, sum);
-        sum.a = 2 * sum.a + square.a;
-        sum.b = 2 * sum.b + square.b;
-        sum.c = 2 * sum.c + square.c;
-        sum.d = 2 * sum.d + square.d;
+        matrix square = product(sum, sum); /* added first: twice what is -1 and a little more would wrap */
+        sum.a += sum.a + square.a;
+        sum.b += sum.b + square.b;
+        sum.c += sum.c + square.c;
+        sum.d += sum.d + square.d;
     }
     return sum;
 }

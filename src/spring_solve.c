@@ -116,7 +116,7 @@ static cairn_motion gravity_along(const cairn_world *world, const cairn_spring *
     cairn_motion g = along(r, world->gravity_x.whole, world->gravity_y.whole);
     cairn_motion of_a = spring->share_a == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(a->model->gravity_scale));
     cairn_motion of_b = spring->share_b == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(b->model->gravity_scale));
-    return of_b - of_a;
+    return cairn_motion_add(of_b, -of_a);
 }
 
 /* An isolated spring by the exact map, with all the bits of its direction. */
@@ -134,7 +134,7 @@ static void solve_exactly(cairn_world *world, cairn_spring *spring)
     cairn_motion impulse = cairn_motion_add(-demand, cairn_motion_share(gravity, spring->yield));
     if (spring->flags & CAIRN_SPRING_FRESH) {
         /* Velocities are those of the middle of a sub-step from now on: half a kick leads there. */
-        impulse = cairn_motion_half(impulse - gravity);
+        impulse = cairn_motion_half(cairn_motion_add(impulse, -gravity));
         spring->flags &= (uint16_t)~CAIRN_SPRING_FRESH;
     }
     impulse = cairn_motion_factor(impulse, cairn_spring_mass(world, spring));

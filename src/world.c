@@ -5,15 +5,20 @@
 /* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
 #define STICK_STEPS 48
 
+/* More than the greatest speed in a sub-step makes no difference, and sums of it would not be bounded. */
+static cairn_diffused gravity_of(const cairn_world *world, cairn_real gravity, cairn_wide squared)
+{
+    cairn_diffused g = cairn_diffused_of(gravity, squared);
+    g.whole = cairn_motion_clamp(g.whole, world->speed_limit);
+    return g;
+}
+
 /* Powers of what the sub-step decides: call after any change of rate, sub-steps, gravity or push-out. */
 static void derive(cairn_world *world)
 {
     cairn_wide per_second = cairn_wide_mul(cairn_wide_from_real(world->rate), cairn_wide_from_int(world->substeps));
     world->inverse_substep = per_second;
     world->substep = cairn_wide_inverse(per_second);
-    cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
-    world->gravity_x = cairn_diffused_of(world->gravity.x, squared);
-    world->gravity_y = cairn_diffused_of(world->gravity.y, squared);
     world->rest_limit = cairn_motion_from_real(CAIRN_REST_SPEED, world->substep);
     world->rest_damping = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_real(world->rate)));
     world->stick = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_int(STICK_STEPS * world->substeps)));
@@ -25,6 +30,9 @@ static void derive(cairn_world *world)
     static const cairn_wide most = CAIRN_SWEEP_SPEED_WIDE;
     cairn_wide lean = cairn_wide_of(64 + CAIRN_SOFT_BETA_64THS * world->substeps, -6); /* 1 + beta n */
     world->speed_limit = cairn_wide_to_motion(cairn_wide_div(most, lean));
+    cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
+    world->gravity_x = gravity_of(world, world->gravity.x, squared);
+    world->gravity_y = gravity_of(world, world->gravity.y, squared);
 }
 
 /* Velocities and impulses are kept in sub-step units: bring them to a new sub-step. */
