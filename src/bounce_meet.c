@@ -49,10 +49,10 @@ static cairn_repeated repeated_of(const cairn_impact *i)
 static void repeat(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
     if (!cairn_body_is_fixed(body)) {
-        body->ux = cairn_motion_add(body->ux, -x);
-        body->uy = cairn_motion_add(body->uy, -y);
+        body->ux = cairn_motion_before(body->ux, -x);
+        body->uy = cairn_motion_before(body->uy, -y);
     }
-    body->uw = cairn_motion_add(body->uw, -turn);
+    body->uw = cairn_motion_before(body->uw, -turn);
 }
 
 /* Between sub-steps velocity changes are repeated, v + (v - u), and with them the rows' impulses: have that follow a change of these. */

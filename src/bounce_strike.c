@@ -117,11 +117,11 @@ static void settle(cairn_world *world, cairn_body *body, velocity before, cairn_
     /* What the sub-steps to come may add to a displacement must fit, too. */
     cairn_motion room = CAIRN_MOTION(7.99) - world->speed_limit * (world->substeps - substep);
     cairn_body_limit_speed(world, body);
-    cairn_motion x = body->vx - before.x, y = body->vy - before.y, w = body->w - before.w;
+    cairn_motion x = cairn_motion_add(body->vx, -before.x), y = cairn_motion_add(body->vy, -before.y), w = cairn_motion_add(body->w, -before.w);
     if (substep > 0) {
-        body->ux += x;
-        body->uy += y;
-        body->uw += w;
+        body->ux = cairn_motion_before(body->ux, x);
+        body->uy = cairn_motion_before(body->uy, y);
+        body->uw = cairn_motion_before(body->uw, w);
     }
     body->dx = cairn_motion_clamp(cairn_motion_add(body->dx, -cairn_motion_unit(x, time)), room);
     body->dy = cairn_motion_clamp(cairn_motion_add(body->dy, -cairn_motion_unit(y, time)), room);

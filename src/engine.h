@@ -475,6 +475,8 @@ static inline cairn_motion cairn_soft_yield(cairn_motion x) { return cairn_motio
 #define CAIRN_SWEEP_SPEED CAIRN_MOTION(0.93)
 #define CAIRN_SWEEP_SPIN CAIRN_MOTION(0.93)
 #define CAIRN_SWEEP_SPEED_WIDE CAIRN_WIDE_PART(0.93)
+/* u, the velocity before the change that the next sub-step repeats, another way: cut so that 2 v - u has room. */
+static inline cairn_motion cairn_motion_before(cairn_motion u, cairn_motion by) { return cairn_motion_clamp(cairn_motion_add(u, by), CAIRN_MOTION(3.9)); }
 /* What an impulse of any size adds to a spin: cut to what the product has room for, enough to turn a corner's spin round. */
 static inline cairn_motion cairn_twist(cairn_motion impulse, cairn_lever j)
 {

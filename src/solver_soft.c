@@ -189,7 +189,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
 /* Take what the pair's impulses did to a body out of the change that is to be repeated. */
 static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share share, const cairn_lever lever[2], cairn_lever friction_lever)
 {
-    cairn_motion push = 0, turn, rub = cairn_motion_share(arbiter->friction_impulse, share), most = CAIRN_MOTION(3.9);
+    cairn_motion push = 0, turn, rub = cairn_motion_share(arbiter->friction_impulse, share);
     turn = cairn_motion_lever(rub, friction_lever);
     for (int i = 0; i < arbiter->count; i++) {
         cairn_motion part = cairn_motion_share(arbiter->rows[i].impulse, share);
@@ -197,10 +197,10 @@ static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share s
         turn = cairn_motion_add(turn, cairn_motion_lever(part, lever[i]));
     }
     if (!cairn_body_is_fixed(body)) {
-        body->ux = cairn_motion_clamp(cairn_motion_add(body->ux, cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y)), most);
-        body->uy = cairn_motion_clamp(cairn_motion_add(body->uy, cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y)), most);
+        body->ux = cairn_motion_before(body->ux, cairn_motion_along(push, -rub, arbiter->normal_x, arbiter->normal_y));
+        body->uy = cairn_motion_before(body->uy, cairn_motion_along(rub, push, arbiter->normal_x, arbiter->normal_y));
     }
-    body->uw = cairn_motion_clamp(cairn_motion_add(body->uw, turn), most);
+    body->uw = cairn_motion_before(body->uw, turn);
 }
 
 /* Whether the last change once more leads beyond the limit of speed. */
