@@ -29,77 +29,63 @@ cairn_factor cairn_spring_mass(const cairn_world *world, const cairn_spring *spr
     return cairn_factor_from_ratio(cairn_factor_inverse(inverse));
 }
 
-typedef struct matrix {
-    cairn_share a, b, c, d;
-} matrix;
+/* The elements of a matrix, row by row. */
+enum { ELEMENTS = 4 };
 
-static matrix product(matrix p, matrix q)
+/* p = p q */
+static void multiply(cairn_share *p, const cairn_share *q)
 {
-    matrix r;
-    r.a = cairn_unit_dot(p.a, p.b, q.a, q.c);
-    r.b = cairn_unit_dot(p.a, p.b, q.b, q.d);
-    r.c = cairn_unit_dot(p.c, p.d, q.a, q.c);
-    r.d = cairn_unit_dot(p.c, p.d, q.b, q.d);
-    return r;
+    for (int i = 0; i < ELEMENTS; i += 2) {
+        cairn_share first = p[i];
+        p[i] = cairn_unit_dot(first, p[i + 1], q[0], q[2]);
+        p[i + 1] = cairn_unit_dot(first, p[i + 1], q[1], q[3]);
+    }
 }
 
 /*
  * exp(K) - 1 for K = ((0, w), (-w, -d)) by Taylor's series of K / 2^s and s squarings of 1 + E, s no greater than the series needs: each
  * halving costs w a bit, and with it the frequency. In this scaling (the velocity over w) det E is B and small stiffnesses keep their bits.
  */
-static matrix oscillator(cairn_wide w, cairn_wide d)
+static void oscillator(cairn_wide w, cairn_wide d, cairn_share *sum)
 {
     enum { HALVINGS_MAX = 8, TERMS = 5 }; /* for d up to 16 */
     int halvings = 0;
     cairn_wide most = cairn_wide_mul(cairn_wide_add(w, d), cairn_wide_from_int(16)); /* K / 2^s is to be below a 16th */
     static const cairn_share inverse[TERMS] = { CAIRN_SHARE(1), CAIRN_SHARE(1.0 / 2), CAIRN_SHARE(1.0 / 3), CAIRN_SHARE(1.0 / 4),
                                                 CAIRN_SHARE(1.0 / 5) };
-    matrix k, term, sum;
+    cairn_share k[ELEMENTS], term[ELEMENTS] = { CAIRN_SHARE(1), 0, 0, CAIRN_SHARE(1) };
     while (halvings < HALVINGS_MAX && cairn_wide_less(cairn_wide_from_int(1 << halvings), most)) {
         halvings++;
     }
     cairn_wide scale = cairn_wide_from_int(1 << halvings);
-    k.a = 0;
-    k.b = cairn_wide_to_share(cairn_wide_div(w, scale));
-    k.c = -k.b;
-    k.d = -cairn_wide_to_share(cairn_wide_div(d, scale));
-    term = k;
-    sum = k;
-    for (int i = 1; i < TERMS; i++) {
-        term = product(term, k);
-        term.a = cairn_share_mul(term.a, inverse[i]);
-        term.b = cairn_share_mul(term.b, inverse[i]);
-        term.c = cairn_share_mul(term.c, inverse[i]);
-        term.d = cairn_share_mul(term.d, inverse[i]);
-        sum.a += term.a;
-        sum.b += term.b;
-        sum.c += term.c;
-        sum.d += term.d;
+    k[0] = 0;
+    k[1] = cairn_wide_to_share(cairn_wide_div(w, scale));
+    k[2] = -k[1];
+    k[3] = -cairn_wide_to_share(cairn_wide_div(d, scale));
+    memset(sum, 0, ELEMENTS * sizeof *sum);
+    for (int i = 0; i < TERMS; i++) {
+        multiply(term, k);
+        for (int n = 0; n < ELEMENTS; n++) {
+            term[n] = cairn_share_mul(term[n], inverse[i]);
+            sum[n] += term[n];
+        }
     }
     for (int i = 0; i < halvings; i++) {
-        matrix square = product(sum, sum); /* added first: twice what is -1 and a little more would wrap */
-        sum.a += sum.a + square.a;
-        sum.b += sum.b + square.b;
-        sum.c += sum.c + square.c;
-        sum.d += sum.d + square.d;
+        cairn_share square[ELEMENTS];
+        memcpy(square, sum, sizeof square);
+        multiply(square, sum);
+        for (int n = 0; n < ELEMENTS; n++) {
+            sum[n] += sum[n] + square[n]; /* added first: twice what is -1 and a little more would wrap */
+        }
     }
-    return sum;
-}
-
-/* b or d: stiffness (damping) in sub-step units. */
-static cairn_wide in_substeps(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_wide amount, cairn_wide power)
-{
-    if (spring->share_a == 0 && spring->share_b == 0) {
-        return cairn_wide_zero();
-    }
-    return cairn_wide_div(cairn_wide_mul(amount, power), cairn_bodies_reduced_mass(a, b));
 }
 
 static void map_exactly(cairn_spring *spring, cairn_wide b, cairn_wide d)
 {
-    matrix e = oscillator(cairn_wide_sqrt(b), d);
-    cairn_wide determinant = cairn_wide_determinant(e.a, e.b, e.c, e.d);
-    spring->velocity_gain = -(e.a + e.d) - cairn_wide_to_share(determinant);
+    cairn_share e[ELEMENTS];
+    oscillator(cairn_wide_sqrt(b), d, e);
+    cairn_wide determinant = cairn_wide_determinant(e[0], e[1], e[2], e[3]);
+    spring->velocity_gain = -(e[0] + e[3]) - cairn_wide_to_share(determinant);
     spring->position_gain = determinant;
     spring->yield = spring->velocity_gain + cairn_wide_to_share(cairn_wide_div(determinant, b)) - CAIRN_SHARE(1);
     spring->flags |= CAIRN_SPRING_EXACT;
@@ -113,6 +99,8 @@ static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
     spring->yield = cairn_wide_to_share(cairn_wide_inverse(whole));
     spring->flags &= (uint16_t)~CAIRN_SPRING_EXACT;
 }
+
+static cairn_wide bounded(cairn_wide stiffness) { return cairn_wide_less(STIFFNESS_MAX, stiffness) ? STIFFNESS_MAX : stiffness; }
 
 static bool is_alone(const cairn_body *a, const cairn_body *b)
 {
@@ -144,8 +132,10 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
     bool moves_a = cairn_body_is_dynamic(a), moves_b = cairn_body_is_dynamic(b);
     spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1) : cairn_bodies_share(a, b);
     spring->share_b = moves_b ? CAIRN_SHARE(1) - spring->share_a : 0;
-    cairn_wide stiffness = in_substeps(spring, a, b, cairn_wide_unpack(spring->stiffness), cairn_wide_mul(world->substep, world->substep));
-    cairn_wide damping = in_substeps(spring, a, b, cairn_wide_unpack(spring->damping), world->substep);
+    /* Where neither moves the mass is 0, and so are these. */
+    cairn_wide mass = cairn_bodies_reduced_mass(a, b), h = world->substep;
+    cairn_wide stiffness = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->stiffness), cairn_wide_mul(h, h)), mass);
+    cairn_wide damping = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->damping), h), mass);
     if (cairn_spring_is_off_centre(spring)) {
         cairn_reach r;
         cairn_spring_measure(spring, a, b, &r);
@@ -159,7 +149,6 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
     if (alone && soft && !cairn_wide_is_zero(stiffness)) {
         map_exactly(spring, stiffness, damping);
     } else {
-        map_implicitly(spring, cairn_wide_less(STIFFNESS_MAX, stiffness) ? STIFFNESS_MAX : stiffness,
-                       cairn_wide_less(STIFFNESS_MAX, damping) ? STIFFNESS_MAX : damping);
+        map_implicitly(spring, bounded(stiffness), bounded(damping));
     }
 }

@@ -24,12 +24,16 @@ cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t)
     return cairn_dir_cosine(s->direction_x, s->direction_y, t->direction_x, t->direction_y);
 }
 
+static void swap(uint16_t *a, uint16_t *b)
+{
+    uint16_t was = *a;
+    *a = *b;
+    *b = was;
+}
+
 /* Its two ends change places, so that it goes from a to b as its path does. */
 static void turn_round(cairn_spring *spring)
 {
-    uint16_t body = spring->a;
-    spring->a = spring->b;
-    spring->b = body;
     cairn_offset2 anchor = spring->anchor_a;
     spring->anchor_a = spring->anchor_b;
     spring->anchor_b = anchor;
@@ -38,9 +42,8 @@ static void turn_round(cairn_spring *spring)
     spring->lever_b = cairn_lever_negate(lever);
     spring->direction_x = cairn_dir_negate(spring->direction_x);
     spring->direction_y = cairn_dir_negate(spring->direction_y);
-    uint16_t link = spring->link_a;
-    spring->link_a = spring->link_b;
-    spring->link_b = link;
+    swap(&spring->a, &spring->b);
+    swap(&spring->link_a, &spring->link_b);
     spring->flags ^= CAIRN_SPRING_TURNED;
 }
 
@@ -75,24 +78,27 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, boo
     return best;
 }
 
-/* The path through an unused spring: on from its end, then back from its start. */
-static void make_path(cairn_world *world, uint16_t first)
+/* On from the end of a spring, or back from its start, as far as it goes: the last one. */
+static uint16_t follow(cairn_world *world, uint16_t spring, bool at_end)
 {
     cairn_spring *springs = world->springs->springs;
-    uint16_t last = first, next;
-    springs[first].flags |= CAIRN_SPRING_IN_PATH;
-    while ((next = continuation(world, &springs[last], true)) != CAIRN_NONE) {
-        springs[last].next = next;
-        springs[next].previous = last;
-        last = next;
+    uint16_t next;
+    while ((next = continuation(world, &springs[spring], at_end)) != CAIRN_NONE) {
+        uint16_t before = at_end ? spring : next, behind = at_end ? next : spring;
+        springs[before].next = behind;
+        springs[behind].previous = before;
+        spring = next;
     }
-    springs[last].next = CAIRN_NONE;
-    while ((next = continuation(world, &springs[first], false)) != CAIRN_NONE) {
-        springs[next].next = first;
-        springs[first].previous = next;
-        first = next;
-    }
-    springs[first].flags |= CAIRN_SPRING_HEAD;
+    return spring;
+}
+
+/* The path through an unused spring. */
+static void make_path(cairn_world *world, uint16_t spring)
+{
+    cairn_spring *springs = world->springs->springs;
+    springs[spring].flags |= CAIRN_SPRING_IN_PATH;
+    springs[follow(world, spring, true)].next = CAIRN_NONE;
+    springs[follow(world, spring, false)].flags |= CAIRN_SPRING_HEAD;
 }
 
 void cairn_spring_paths(cairn_world *world)
@@ -141,33 +147,31 @@ static cairn_factor coupling(const cairn_body *common, const cairn_spring *s, co
 }
 
 /* Eliminate downwards: what each spring takes from the one before (before), its pivot and what it gives to the one behind. */
-void cairn_path_factorise(cairn_world *world, uint16_t head)
+void cairn_path_factorise(cairn_world *world, cairn_spring *first)
 {
-    cairn_spring_pool *pool = world->springs;
     const cairn_spring *previous = NULL;
-    unsigned levers = 0;
-    pool->springs[head].turned = 0;
-    for (uint16_t i = head; i != CAIRN_NONE; i = pool->springs[i].next) {
-        cairn_spring *spring = &pool->springs[i];
+    first->turned = 0;
+    for (cairn_spring *spring = first; spring != NULL;) {
+        cairn_spring *next = cairn_spring_behind(world->springs, spring);
         cairn_factor gain = cairn_factor_mul(cairn_factor_from_share(CAIRN_SHARE(1) - spring->yield), cairn_spring_mass(world, spring));
         cairn_factor pivot = CAIRN_FACTOR(1);
-        spring->before = 0;
-        levers |= cairn_flag_if(cairn_spring_is_off_centre(spring), CAIRN_SPRING_LEVERS);
+        spring->before = spring->behind = 0;
+        if (cairn_spring_is_off_centre(spring)) {
+            first->flags |= CAIRN_SPRING_LEVERS;
+        }
         if (previous != NULL) {
             spring->before = cairn_factor_mul(gain, coupling(&world->bodies[spring->a], previous, spring, previous->share_b, previous->lever_b, spring->lever_a));
             pivot -= cairn_factor_mul(spring->before, previous->behind);
         }
         pivot = pivot < PIVOT_MIN ? PIVOT_MIN : pivot;
         spring->inverse_pivot = pivot > CAIRN_FACTOR(0.5) ? cairn_factor_from_ratio(cairn_factor_inverse(pivot)) : cairn_factor_reciprocal(pivot);
-        spring->behind = 0;
-        if (spring->next != CAIRN_NONE) {
-            const cairn_spring *next = &pool->springs[spring->next];
+        if (next != NULL) {
             cairn_factor of_next = coupling(&world->bodies[spring->b], next, spring, next->share_a, next->lever_a, spring->lever_b);
             spring->behind = cairn_factor_mul(cairn_factor_mul(gain, of_next), spring->inverse_pivot);
         }
         previous = spring;
+        spring = next;
     }
-    pool->springs[head].flags |= (uint16_t)levers;
 }
 
 /* ---- the sub-step ---- */
@@ -212,14 +216,13 @@ static cairn_motion demand(const cairn_world *world, cairn_spring *spring, cairn
 }
 
 /* The right sides of a path's equations: D u + B C*. How far its springs turned, at most. */
-static cairn_turn ask(cairn_world *world, uint16_t head, bool again)
+static cairn_turn ask(cairn_world *world, cairn_spring *spring, bool again)
 {
-    cairn_spring *springs = world->springs->springs;
     cairn_turn most = 0;
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
+    for (; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
         cairn_turn turned;
-        cairn_motion asked = demand(world, &springs[i], &turned);
-        springs[i].pulled = again ? cairn_spring_ask_more(&springs[i], asked) : asked;
+        cairn_motion asked = demand(world, spring, &turned);
+        spring->pulled = again ? cairn_spring_ask_more(spring, asked) : asked;
         most = turned > most ? turned : most;
     }
     return most;
@@ -237,14 +240,14 @@ cairn_motion cairn_spring_answer(const cairn_spring *spring, cairn_motion demand
 }
 
 /* The impulses that satisfy a path's equations: down the path, each from what the one before takes, the last one's being final. */
-static uint16_t eliminate(cairn_spring *springs, uint16_t head)
+static cairn_spring *eliminate(const cairn_spring_pool *pool, cairn_spring *spring)
 {
     cairn_motion impulse = 0;
-    uint16_t last = head;
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        impulse = cairn_spring_answer(&springs[i], springs[i].pulled, impulse);
-        springs[i].pulled = impulse;
-        last = i;
+    cairn_spring *last = spring;
+    for (; spring != NULL; spring = cairn_spring_behind(pool, spring)) {
+        impulse = cairn_spring_answer(spring, spring->pulled, impulse);
+        spring->pulled = impulse;
+        last = spring;
     }
     return last;
 }
@@ -256,29 +259,26 @@ static void push(cairn_world *world, uint16_t body, cairn_motion impulse, const 
 }
 
 /* Back up the path: what is behind a spring counts too. */
-static void apply(cairn_world *world, uint16_t head, uint16_t last)
+static void apply(cairn_world *world, const cairn_spring *first, cairn_spring *spring)
 {
-    cairn_spring *springs = world->springs->springs;
     cairn_motion impulse = 0;
-    for (uint16_t i = last;; i = springs[i].previous) {
-        cairn_spring *spring = &springs[i];
+    for (;; spring = &world->springs->springs[spring->previous]) {
         cairn_motion behind = cairn_motion_clamp(cairn_motion_factor(impulse, spring->behind), CAIRN_SPRING_IMPULSE);
         impulse = cairn_motion_clamp(spring->pulled - behind, CAIRN_SPRING_IMPULSE);
         spring->pulled = cairn_motion_half(-impulse);
         push(world, spring->b, cairn_motion_share(impulse, spring->share_b), spring, spring->lever_b);
         push(world, spring->a, -cairn_motion_share(impulse, spring->share_a), spring, spring->lever_a);
-        if (i == head) {
+        if (spring == first) {
             return;
         }
     }
 }
 
-void cairn_path_solve(cairn_world *world, uint16_t head, bool again)
+void cairn_path_solve(cairn_world *world, cairn_spring *first, bool again)
 {
-    cairn_spring *springs = world->springs->springs;
-    springs[head].turned += ask(world, head, again);
-    if (springs[head].turned > STALE) {
-        cairn_path_factorise(world, head);
+    first->turned += ask(world, first, again);
+    if (first->turned > STALE) {
+        cairn_path_factorise(world, first);
     }
-    apply(world, head, eliminate(springs, head));
+    apply(world, first, eliminate(world->springs, first));
 }

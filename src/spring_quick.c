@@ -19,14 +19,18 @@
 
 /* ---- frames ---- */
 
-void cairn_path_look(cairn_world *world, uint16_t head)
+static void set_flag(cairn_spring *spring, unsigned flag, bool set)
 {
-    cairn_spring *springs = world->springs->springs;
+    spring->flags = (uint16_t)((spring->flags & ~flag) | cairn_flag_if(set, flag));
+}
+
+void cairn_path_look(cairn_world *world, cairn_spring *first)
+{
     bool simple = true;
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        simple = simple && (springs[i].flags & (CAIRN_SPRING_PLAIN | CAIRN_SPRING_EXACT)) == CAIRN_SPRING_PLAIN;
+    for (const cairn_spring *spring = first; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
+        simple = simple && (spring->flags & (CAIRN_SPRING_PLAIN | CAIRN_SPRING_EXACT)) == CAIRN_SPRING_PLAIN;
     }
-    springs[head].flags = (uint16_t)((springs[head].flags & ~(unsigned)CAIRN_SPRING_SIMPLE) | cairn_flag_if(simple, CAIRN_SPRING_SIMPLE));
+    set_flag(first, CAIRN_SPRING_SIMPLE, simple);
 }
 
 typedef struct place {
@@ -106,43 +110,41 @@ static bool make_gains(cairn_spring *spring)
 }
 
 /* New frames for all of a path; false if it has to be solved with care. */
-static bool renew(cairn_world *world, uint16_t head)
+static bool renew(cairn_world *world, cairn_spring *first)
 {
-    cairn_spring *springs = world->springs->springs;
+    const cairn_spring_pool *pool = world->springs;
     bool framed = true;
-    for (uint16_t i = head; i != CAIRN_NONE && framed; i = springs[i].next) {
-        framed = make_frame(world, &springs[i]);
+    for (cairn_spring *spring = first; spring != NULL && framed; spring = cairn_spring_behind(pool, spring)) {
+        framed = make_frame(world, spring);
     }
     if (framed) {
-        cairn_path_factorise(world, head);
+        cairn_path_factorise(world, first);
     }
-    for (uint16_t i = head; i != CAIRN_NONE && framed; i = springs[i].next) {
-        framed = make_gains(&springs[i]);
-        follow(&springs[i], &world->bodies[springs[i].a], &world->bodies[springs[i].b]);
+    for (cairn_spring *spring = first; spring != NULL && framed; spring = cairn_spring_behind(pool, spring)) {
+        framed = make_gains(spring);
+        follow(spring, &world->bodies[spring->a], &world->bodies[spring->b]);
     }
-    for (uint16_t i = head; i != CAIRN_NONE && !framed; i = springs[i].next) {
-        leave_frame(&springs[i]);
+    for (cairn_spring *spring = first; spring != NULL && !framed; spring = cairn_spring_behind(pool, spring)) {
+        leave_frame(spring);
     }
-    springs[head].flags = (uint16_t)((springs[head].flags & ~(unsigned)CAIRN_SPRING_FRAMED) | cairn_flag_if(framed, CAIRN_SPRING_FRAMED));
+    set_flag(first, CAIRN_SPRING_FRAMED, framed);
     return framed;
 }
 
-bool cairn_path_follow(cairn_world *world, uint16_t head)
+bool cairn_path_follow(cairn_world *world, cairn_spring *first)
 {
-    cairn_spring *springs = world->springs->springs;
-    bool holds = (springs[head].flags & CAIRN_SPRING_FRAMED) != 0;
-    if (!(springs[head].flags & CAIRN_SPRING_SIMPLE)) {
+    bool holds = (first->flags & CAIRN_SPRING_FRAMED) != 0;
+    if (!(first->flags & CAIRN_SPRING_SIMPLE)) {
         return false;
     }
-    const cairn_body *a = &world->bodies[springs[head].a];
-    for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-        cairn_spring *spring = &springs[i];
+    const cairn_body *a = &world->bodies[first->a];
+    for (cairn_spring *spring = first; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
         const cairn_body *b = &world->bodies[spring->b];
         holds = follow(spring, a, b) && holds;
         spring->lag = cairn_frame_is_passed(&spring->frame, 2 * spring->pulled) ? CAIRN_LAG_NONE : CAIRN_LAG_QUARTER;
         a = b;
     }
-    return holds || renew(world, head);
+    return holds || renew(world, first);
 }
 
 /* ---- the sub-step ---- */
@@ -163,15 +165,13 @@ static cairn_motion half_with_care(const cairn_spring *spring, const cairn_body 
 /* Whether the frames of a path will do for this sub-step. */
 static bool frames_hold(const cairn_world *world, const cairn_spring *spring)
 {
-    for (;; spring = &world->springs->springs[spring->next]) {
+    for (; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
         place from = way_of(&world->bodies[spring->a]), to = way_of(&world->bodies[spring->b]);
         if (!cairn_frame_holds(&spring->frame, cairn_motion_apart(from.x, to.x, spring->origin_x), cairn_motion_apart(from.y, to.y, spring->origin_y))) {
             return false;
         }
-        if (spring->next == CAIRN_NONE) {
-            return true;
-        }
     }
+    return true;
 }
 
 /*
@@ -266,21 +266,21 @@ static void ascend(const cairn_world *world, const cairn_spring *first, cairn_sp
 }
 
 /* A path that is left half way down forgets what it pulled with, which another sweep has to know. */
-void cairn_path_solve_quickly(cairn_world *world, uint16_t head, bool again)
+void cairn_path_solve_quickly(cairn_world *world, cairn_spring *first, bool again)
 {
-    cairn_spring *springs = world->springs->springs, *first = &springs[head], *last = NULL;
+    cairn_spring *last = NULL;
     const cairn_spring *outside = first;
     if (!again || frames_hold(world, first)) {
         last = descend(world, first, again, &outside);
     }
     if (last == NULL) {
-        for (cairn_spring *spring = first; spring != outside; spring = &springs[spring->next]) {
+        for (cairn_spring *spring = first; spring != outside; spring = &world->springs->springs[spring->next]) {
             spring->swing = spring->swung;
         }
-        last = renew(world, head) ? descend(world, first, again, &outside) : NULL;
+        last = renew(world, first) ? descend(world, first, again, &outside) : NULL;
     }
     if (last == NULL) {
-        cairn_path_solve(world, head, again);
+        cairn_path_solve(world, first, again);
     } else {
         ascend(world, first, last);
     }

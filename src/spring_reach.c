@@ -1,62 +1,49 @@
 /* Where springs are: their anchors, lengths, directions and levers, now and at the end of the sub-step. */
 #include "spring_solve.h"
 
-static cairn_offset2 arm_of(cairn_offset x, cairn_offset y, cairn_unit c, cairn_unit s)
-{
-    cairn_offset2 arm;
-    arm.x = cairn_offset_dot(x, -y, c, s);
-    arm.y = cairn_offset_dot(x, y, s, c);
-    return arm;
-}
-
 /* The arm of an anchor when the body has turned by dw in this step. */
-static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset x, cairn_offset y, cairn_motion dw)
+static cairn_offset2 turned_arm(const cairn_body *body, cairn_offset2 anchor, cairn_motion dw)
 {
     cairn_unit c, s;
-    if (x == 0 && y == 0) {
-        cairn_offset2 none;
-        none.x = none.y = 0;
-        return none;
+    if (anchor.x == 0 && anchor.y == 0) {
+        return anchor;
     }
     cairn_angle_rotation(cairn_angle_add(body->angle, cairn_angle_from_motion(dw, cairn_body_inverse_gyration(body))), &c, &s);
-    return arm_of(x, y, c, s);
+    return cairn_offset2_turned(anchor, c, s);
 }
 
-/* The way from one anchor to the other on one axis, saturating. */
-static cairn_offset way(cairn_real from, cairn_residue from_residue, cairn_real to, cairn_residue to_residue, cairn_offset moved,
-                        cairn_offset from_arm, cairn_offset to_arm)
+/* The way from one anchor to the other on one axis, saturating: of the bodies before the step, what they have moved by since, and of the arms. */
+static cairn_offset way(cairn_real apart, cairn_residue from, cairn_residue to, cairn_offset moved, cairn_offset from_arm,
+                        cairn_offset to_arm)
 {
-    cairn_real apart = cairn_real_sub(to, from);
-    cairn_offset bodies = cairn_real_is_within(apart, CAIRN_SPRING_FAR) ? cairn_coordinate_offset(from, from_residue, to, to_residue)
-                        : apart > 0 ? cairn_offset_from_real(CAIRN_SPRING_FAR) : -cairn_offset_from_real(CAIRN_SPRING_FAR);
+    cairn_offset far = cairn_offset_from_real(CAIRN_SPRING_FAR);
+    cairn_offset bodies = cairn_real_is_within(apart, CAIRN_SPRING_FAR) ? cairn_coordinate_offset(0, from, apart, to) : apart > 0 ? far : -far;
     return cairn_offset_add(cairn_offset_add(cairn_offset_add(bodies, moved), to_arm), -from_arm);
 }
 
-/* The arms are set; by how much the bodies have moved: */
-static cairn_offset2 between(const cairn_body *a, const cairn_body *b, cairn_offset moved_x, cairn_offset moved_y, const cairn_reach *r)
+/* How far the first body has moved, or will have moved by the end of this sub-step with the velocity as it is, and then the second. */
+static cairn_offset moved(cairn_motion from, cairn_motion from_speed, cairn_motion to, cairn_motion to_speed, bool ahead)
+{
+    return cairn_offset_from_motion(ahead ? cairn_motion_add(to, to_speed) : to)
+         - cairn_offset_from_motion(ahead ? cairn_motion_add(from, from_speed) : from);
+}
+
+/* The way from anchor to anchor, and the arms, with the displacements of this step: now, or ahead at the end of this sub-step. */
+CAIRN_ONCE cairn_offset2 reach_of(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_reach *r)
 {
     cairn_offset2 p;
-    p.x = way(a->x, a->x_residue, b->x, b->x_residue, moved_x, r->arm_a.x, r->arm_b.x);
-    p.y = way(a->y, a->y_residue, b->y, b->y_residue, moved_y, r->arm_a.y, r->arm_b.y);
+    r->arm_a = turned_arm(a, spring->anchor_a, ahead ? cairn_motion_add(a->dw, a->w) : a->dw);
+    r->arm_b = turned_arm(b, spring->anchor_b, ahead ? cairn_motion_add(b->dw, b->w) : b->dw);
+    /* No sum of these wraps: CAIRN_WORLD_EDGE. */
+    p.x = way(b->x - a->x, a->x_residue, b->x_residue, moved(a->dx, a->vx, b->dx, b->vx, ahead), r->arm_a.x, r->arm_b.x);
+    p.y = way(b->y - a->y, a->y_residue, b->y_residue, moved(a->dy, a->vy, b->dy, b->vy, ahead), r->arm_a.y, r->arm_b.y);
     return p;
 }
 
 void cairn_spring_measure(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
 {
-    r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, a->dw);
-    r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, b->dw);
-    cairn_offset2 p = between(a, b, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx),
-                              cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy), r);
+    cairn_offset2 p = reach_of(spring, a, b, false, r);
     r->length = cairn_unit_along(p.x, p.y, &r->x, &r->y);
-}
-
-/* Where it will be at the end of this sub-step, with the velocities as they are: the way from anchor to anchor, and the arms. */
-static cairn_offset2 foresee(const cairn_spring *spring, const cairn_body *a, const cairn_body *b, cairn_reach *r)
-{
-    r->arm_a = turned_arm(a, spring->anchor_a.x, spring->anchor_a.y, cairn_motion_add(a->dw, a->w));
-    r->arm_b = turned_arm(b, spring->anchor_b.x, spring->anchor_b.y, cairn_motion_add(b->dw, b->w));
-    return between(a, b, cairn_offset_from_motion(cairn_motion_add(b->dx, b->vx)) - cairn_offset_from_motion(cairn_motion_add(a->dx, a->vx)),
-                   cairn_offset_from_motion(cairn_motion_add(b->dy, b->vy)) - cairn_offset_from_motion(cairn_motion_add(a->dy, a->vy)), r);
 }
 
 /* (r x n) / rho */
@@ -111,7 +98,7 @@ static cairn_offset face(cairn_spring *spring, cairn_offset2 p, bool ahead, cair
 cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_turn *turned)
 {
     cairn_reach r;
-    cairn_offset2 p = foresee(spring, a, b, &r);
+    cairn_offset2 p = reach_of(spring, a, b, true, &r);
     cairn_offset length = face(spring, p, ahead, turned);
     if (cairn_spring_is_off_centre(spring)) {
         cairn_unit x = cairn_unit_from_dir(spring->direction_x), y = cairn_unit_from_dir(spring->direction_y);

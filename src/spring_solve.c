@@ -65,19 +65,18 @@ static void sort(cairn_world *world)
 }
 
 /* What of a path's springs and equations depends on where they are. */
-static void prepare_path(cairn_world *world, uint16_t head, bool changed)
+static void prepare_path(cairn_world *world, cairn_spring *first, bool changed)
 {
-    cairn_spring *springs = world->springs->springs, *first = &springs[head];
     if (changed) {
-        cairn_path_look(world, head);
+        cairn_path_look(world, first);
     }
-    if (!cairn_path_follow(world, head) && (changed || first->flags & CAIRN_SPRING_LEVERS)) {
-        for (uint16_t i = head; i != CAIRN_NONE; i = springs[i].next) {
-            if (!changed && cairn_spring_is_off_centre(&springs[i])) {
-                cairn_spring_map(world, &springs[i]);
+    if (!cairn_path_follow(world, first) && (changed || first->flags & CAIRN_SPRING_LEVERS)) {
+        for (cairn_spring *spring = first; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
+            if (!changed && cairn_spring_is_off_centre(spring)) {
+                cairn_spring_map(world, spring);
             }
         }
-        cairn_path_factorise(world, head);
+        cairn_path_factorise(world, first);
     }
 }
 
@@ -96,8 +95,9 @@ void cairn_springs_prepare(cairn_world *world)
         }
     }
     for (uint16_t i = pool->first; i != CAIRN_NONE; i = pool->springs[i].previous) {
-        if (leads(pool, &pool->springs[i]) && (changed || cairn_spring_is_active(world, &pool->springs[i]))) {
-            prepare_path(world, i, changed);
+        cairn_spring *spring = &pool->springs[i];
+        if (leads(pool, spring) && (changed || cairn_spring_is_active(world, spring))) {
+            prepare_path(world, spring, changed);
         }
     }
 }
@@ -117,6 +117,11 @@ static cairn_motion gravity_along(const cairn_world *world, const cairn_spring *
     cairn_motion of_a = spring->share_a == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(a->model->gravity_scale));
     cairn_motion of_b = spring->share_b == 0 ? 0 : cairn_motion_factor(g, cairn_factor_from_real(b->model->gravity_scale));
     return cairn_motion_add(of_b, -of_a);
+}
+
+CAIRN_ONCE void push(cairn_body *body, const cairn_reach *r, cairn_motion impulse, cairn_lever lever)
+{
+    cairn_spring_push(body, cairn_motion_unit(impulse, r->x), cairn_motion_unit(impulse, r->y), cairn_twist(impulse, lever));
 }
 
 /* An isolated spring by the exact map, with all the bits of its direction. */
@@ -139,16 +144,16 @@ static void solve_exactly(cairn_world *world, cairn_spring *spring)
     }
     impulse = cairn_motion_factor(impulse, cairn_spring_mass(world, spring));
     cairn_motion of_a = -cairn_motion_share(impulse, spring->share_a), of_b = cairn_motion_share(impulse, spring->share_b);
-    cairn_spring_push(a, cairn_motion_unit(of_a, r.x), cairn_motion_unit(of_a, r.y), cairn_twist(of_a, spring->lever_a));
-    cairn_spring_push(b, cairn_motion_unit(of_b, r.x), cairn_motion_unit(of_b, r.y), cairn_twist(of_b, spring->lever_b));
+    push(a, &r, of_a, spring->lever_a);
+    push(b, &r, of_b, spring->lever_b);
 }
 
-static void solve_path(cairn_world *world, uint16_t head, bool again)
+static void solve_path(cairn_world *world, cairn_spring *first, bool again)
 {
-    if (world->springs->springs[head].flags & CAIRN_SPRING_FRAMED) {
-        cairn_path_solve_quickly(world, head, again);
+    if (first->flags & CAIRN_SPRING_FRAMED) {
+        cairn_path_solve_quickly(world, first, again);
     } else {
-        cairn_path_solve(world, head, again);
+        cairn_path_solve(world, first, again);
     }
 }
 
@@ -172,13 +177,13 @@ void cairn_springs_substep(cairn_world *world, int substep)
         if (spring->flags & CAIRN_SPRING_EXACT) {
             solve_exactly(world, spring);
         } else {
-            solve_path(world, i, false);
+            solve_path(world, spring, false);
         }
     }
     for (uint16_t i = pool->end; pool->entangled && i > 0; i--) {
-        const cairn_spring *spring = &pool->springs[i - 1];
+        cairn_spring *spring = &pool->springs[i - 1];
         if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && cairn_spring_is_active(world, spring)) {
-            solve_path(world, (uint16_t)(i - 1), true);
+            solve_path(world, spring, true);
         }
     }
 }

@@ -40,6 +40,12 @@ static inline bool cairn_spring_is_active(const cairn_world *world, const cairn_
     return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
 }
 
+/* The spring behind one on its path, null if there is none. */
+static inline cairn_spring *cairn_spring_behind(const cairn_spring_pool *pool, const cairn_spring *spring)
+{
+    return spring->next == CAIRN_NONE ? NULL : &pool->springs[spring->next];
+}
+
 /* The farthest that bodies may be apart on one axis, m; beyond it a spring pulls as if they were so near. */
 #define CAIRN_SPRING_FAR CAIRN_F(500)
 
@@ -98,9 +104,9 @@ cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t);
 /* Cut all networks into paths. */
 void cairn_spring_paths(cairn_world *world);
 /* What of a path's solution depends on directions only. */
-void cairn_path_factorise(cairn_world *world, uint16_t head);
+void cairn_path_factorise(cairn_world *world, cairn_spring *first);
 /* The springs of a path, together; again: after another sweep in this sub-step. */
-void cairn_path_solve(cairn_world *world, uint16_t head, bool again);
+void cairn_path_solve(cairn_world *world, cairn_spring *first, bool again);
 /* No impulse of a path is above this, no demand above CAIRN_DEMAND_MAX, m per sub-step: with factors of at most 1 no sum wraps. */
 #define CAIRN_SPRING_IMPULSE CAIRN_MOTION(3.5)
 #define CAIRN_SPRING_DEMAND CAIRN_MOTION(4)
@@ -116,11 +122,11 @@ void cairn_spring_push(cairn_body *body, cairn_motion x, cairn_motion y, cairn_m
 
 /* ---- spring_quick.c: paths of plain springs ---- */
 /* When springs have changed: which paths are such. */
-void cairn_path_look(cairn_world *world, uint16_t head);
+void cairn_path_look(cairn_world *world, cairn_spring *first);
 /* At the start of a step; false if the path is none, or has to be solved with care. */
-bool cairn_path_follow(cairn_world *world, uint16_t head);
+bool cairn_path_follow(cairn_world *world, cairn_spring *first);
 /* The sub-step of a path that is framed. */
-void cairn_path_solve_quickly(cairn_world *world, uint16_t head, bool again);
+void cairn_path_solve_quickly(cairn_world *world, cairn_spring *first, bool again);
 
 /* ---- spring_network.c ---- */
 /* Which springs belong together. After the paths. */

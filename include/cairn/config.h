@@ -95,4 +95,11 @@
 #define CAIRN_APART static
 #endif
 
+/* For functions of one file that are called with constants: one copy of them where bytes count, else what the compiler makes of each call. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define CAIRN_ONCE static __attribute__((noinline))
+#else
+#define CAIRN_ONCE static inline
+#endif
+
 #endif
