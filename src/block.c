@@ -47,9 +47,8 @@ static void weigh(cairn_block *block)
 }
 
 /* From an arbiter's own unit of impulses to the block's. */
-static cairn_wide unit_of(const cairn_block *block, const cairn_block_row *row)
+static cairn_wide unit_of(const cairn_block *block, const cairn_block_arbiter *arbiter)
 {
-    const cairn_block_arbiter *arbiter = &block->arbiters[row->arbiter];
     return cairn_wide_add(block->bodies[arbiter->a].inverse, block->bodies[arbiter->b].inverse);
 }
 
@@ -57,7 +56,7 @@ static cairn_wide unit_of(const cairn_block *block, const cairn_block_row *row)
 static void add_rows(cairn_block *block, const cairn_arbiter *arbiter)
 {
     for (int i = 0; i <= arbiter->count; i++) {
-        cairn_block_row *row = &block->rows[block->row_count + i];
+        cairn_block_row *row = &block->rows[block->row_count++];
         bool rubs = i == arbiter->count;
         row->arbiter = (uint8_t)block->arbiter_count;
         row->x = rubs ? cairn_dir_negate(arbiter->normal_y) : arbiter->normal_x;
@@ -69,15 +68,23 @@ static void add_rows(cairn_block *block, const cairn_arbiter *arbiter)
         row->bias = 0;
         row->state = CAIRN_ROW_LOW;
     }
-    block->row_count += arbiter->count + 1;
 }
 
-static void load_impulses(cairn_block *block, const cairn_arbiter *arbiter, int first)
+static cairn_arbiter *arbiter_of(const cairn_world *world, const cairn_block_arbiter *arbiter) { return cairn_arbiter_at(world, arbiter->place); }
+
+/* Of a point, or of friction behind the last of them. */
+static cairn_motion *impulse_of(cairn_arbiter *arbiter, int i) { return i == arbiter->count ? &arbiter->friction_impulse : &arbiter->rows[i].impulse; }
+
+/* From the arbiters' impulses. */
+static void load_impulses(const cairn_world *world, cairn_block *block)
 {
-    cairn_wide per_unit = cairn_wide_inverse(unit_of(block, &block->rows[first]));
-    for (int i = 0; i <= arbiter->count; i++) {
-        cairn_motion impulse = i == arbiter->count ? arbiter->friction_impulse : arbiter->rows[i].impulse;
-        block->rows[first + i].impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(impulse), arbiter->past.block.exponent), per_unit);
+    cairn_block_row *row = block->rows;
+    for (int n = 0; n < block->arbiter_count; n++) {
+        cairn_arbiter *arbiter = arbiter_of(world, &block->arbiters[n]);
+        cairn_wide per_unit = cairn_wide_inverse(unit_of(block, &block->arbiters[n]));
+        for (int i = 0; i <= arbiter->count; i++, row++) {
+            row->impulse = cairn_push_scale(cairn_push_shift(cairn_push_from_motion(*impulse_of(arbiter, i)), arbiter->past.block.exponent), per_unit);
+        }
     }
 }
 
@@ -102,113 +109,105 @@ static bool gather(cairn_world *world, uint8_t number, cairn_block *block)
         }
     }
     weigh(block);
-    for (int i = 0, first = 0; i < block->arbiter_count; i++) {
-        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
-        load_impulses(block, arbiter, first);
-        first += arbiter->count + 1;
-    }
+    load_impulses(world, block);
     return true;
 }
 
 /* ---- and back ---- */
 
-static void store_impulses(const cairn_block *block, cairn_arbiter *arbiter, int first)
+/* The rows behind the arbiter's. */
+static const cairn_block_row *store_impulses(const cairn_block_row *row, cairn_arbiter *arbiter, cairn_wide unit)
 {
-    cairn_wide unit = unit_of(block, &block->rows[first]);
     cairn_push impulses[3];
     int exponent = 0;
-    for (int i = 0; i <= arbiter->count; i++) {
-        impulses[i] = cairn_push_scale(block->rows[first + i].impulse, unit);
+    for (int i = 0; i <= arbiter->count; i++, row++) {
+        impulses[i] = cairn_push_scale(row->impulse, unit);
         int excess = cairn_push_excess(impulses[i]);
         exponent = excess > exponent ? excess : exponent;
     }
     for (int i = 0; i <= arbiter->count; i++) {
-        cairn_motion impulse = cairn_motion_from_push(cairn_push_shift(impulses[i], -exponent));
-        *(i == arbiter->count ? &arbiter->friction_impulse : &arbiter->rows[i].impulse) = impulse;
+        *impulse_of(arbiter, i) = cairn_motion_from_push(cairn_push_shift(impulses[i], -exponent));
     }
     arbiter->past.block.exponent = (uint8_t)exponent;
+    return row;
 }
+
+CAIRN_ONCE cairn_motion speed_of(cairn_push v, cairn_motion limit) { return cairn_motion_clamp(cairn_motion_from_push(v), limit); }
 
 static void store(cairn_world *world, cairn_block *block)
 {
+    const cairn_block_row *row = block->rows;
     cairn_block_evaluate(block);
-    for (int i = 0; i < block->body_count; i++) {
-        cairn_block_body *from = &block->bodies[i];
+    for (const cairn_block_body *from = block->bodies; from != block->bodies + block->body_count; from++) {
         if (cairn_body_is_dynamic(from->body)) {
-            from->body->vx = cairn_motion_clamp(cairn_motion_from_push(from->vx), CAIRN_SWEEP_SPEED);
-            from->body->vy = cairn_motion_clamp(cairn_motion_from_push(from->vy), CAIRN_SWEEP_SPEED);
-            from->body->w = cairn_motion_clamp(cairn_motion_from_push(from->vw), CAIRN_SWEEP_SPIN);
+            from->body->vx = speed_of(from->vx, CAIRN_SWEEP_SPEED);
+            from->body->vy = speed_of(from->vy, CAIRN_SWEEP_SPEED);
+            from->body->w = speed_of(from->vw, CAIRN_SWEEP_SPIN);
         }
     }
-    for (int i = 0, first = 0; i < block->arbiter_count; i++) {
-        cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
-        store_impulses(block, arbiter, first);
-        first += arbiter->count + 1;
+    for (int i = 0; i < block->arbiter_count; i++) {
+        row = store_impulses(row, arbiter_of(world, &block->arbiters[i]), unit_of(block, &block->arbiters[i]));
     }
 }
 
 /* ---- passes ---- */
 
-static cairn_push magnitude(cairn_push x) { return x < 0 ? -x : x; }
-
-static void set_impulse(cairn_block *block, int row, cairn_push impulse) { cairn_block_press(block, &block->rows[row], impulse - block->rows[row].impulse); }
+CAIRN_ONCE cairn_push magnitude(cairn_push x) { return x < 0 ? -x : x; }
 
 static void clear_impulses(cairn_block *block)
 {
-    for (int i = 0; i < block->row_count; i++) {
-        set_impulse(block, i, 0);
+    for (cairn_block_row *row = block->rows; row != block->rows + block->row_count; row++) {
+        cairn_block_press(block, row, -row->impulse);
     }
 }
 
-static cairn_motion separation_of(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion *moved)
+/* How far a row has opened in this step. */
+CAIRN_ONCE cairn_motion moved(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_block_row *row)
 {
-    *moved = cairn_row_displacement(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter, row);
-    return cairn_motion_add(row->gap, *moved);
+    return cairn_displacement_along(&world->bodies[arbiter->a], &world->bodies[arbiter->b], row->x, row->y, row->lever_a, row->lever_b);
 }
 
-/* Bodies hold v + beta d, so a touching point's push-out follows its separation. One that is apart may close its gap and no more. */
-static void bias_point(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to)
+/*
+ * Bodies hold v + beta d while the pass is biased, so a touching point's push-out follows its separation, and friction has its share of what they lean
+ * by: their slip in this step is not to be undone. A point that is apart may close its gap and no more.
+ */
+static void start_point(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *from, cairn_block_row *row, bool biased)
 {
-    to->kind = CAIRN_ROW_SOFT;
-    to->bias = row->gap;
-    if (row->gap > 0) {
-        cairn_motion moved, separation = separation_of(world, arbiter, row, &moved);
+    row->state = row->impulse > 0 ? CAIRN_ROW_FREE : CAIRN_ROW_LOW;
+    if (biased) {
+        row->kind = CAIRN_ROW_SOFT;
+        row->bias = from->gap;
+    }
+    if (from->gap > 0) {
+        cairn_motion by = moved(world, arbiter, row), separation = cairn_motion_add(from->gap, by);
         bool apart = separation > 0;
-        to->kind = apart ? CAIRN_ROW_RIGID : CAIRN_ROW_SOFT;
-        to->bias = apart ? cairn_motion_add(separation, -cairn_motion_ratio(moved, CAIRN_SOFT_BETA))
-                         : cairn_motion_ratio(row->gap, CAIRN_SOFT_BETA);
-    }
-}
-
-static void relax_point(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to)
-{
-    if (row->gap > 0) {
-        cairn_motion moved, separation = separation_of(world, arbiter, row, &moved);
-        to->bias = separation > 0 ? separation : 0;
-    }
-}
-
-static void start_points(const cairn_world *world, cairn_block *block,
-                         void (*bias)(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_row *row, cairn_block_row *to))
-{
-    for (int i = 0, next = 0; i < block->arbiter_count; i++) {
-        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
-        for (int k = 0; k < arbiter->count; k++) {
-            cairn_block_row *row = &block->rows[next + k];
-            row->state = row->impulse > 0 ? CAIRN_ROW_FREE : CAIRN_ROW_LOW;
-            bias(world, arbiter, &arbiter->rows[k], row);
-            if (arbiter->rows[k].gap > 0 && (arbiter->rows[k].feature & CAIRN_ROW_IN_FLIGHT)) {
-                row->state = CAIRN_ROW_LOW; /* the impact phase's */
-                row->limit = 0;
-            }
+        row->kind = apart ? CAIRN_ROW_RIGID : row->kind;
+        if (biased) {
+            row->bias = apart ? cairn_motion_add(separation, -cairn_motion_ratio(by, CAIRN_SOFT_BETA)) : cairn_motion_ratio(from->gap, CAIRN_SOFT_BETA);
+        } else {
+            row->bias = apart ? separation : 0;
         }
-        next += arbiter->count + 1;
+        if (from->feature & CAIRN_ROW_IN_FLIGHT) {
+            row->state = CAIRN_ROW_LOW; /* the impact phase's */
+            row->limit = 0;
+        }
     }
+}
+
+static void start_rows(const cairn_world *world, cairn_block *block, bool biased)
+{
+    const cairn_row *from = NULL;
     for (int i = 0; i < block->row_count; i++) {
         cairn_block_row *row = &block->rows[i];
+        const cairn_arbiter *arbiter = arbiter_of(world, &block->arbiters[row->arbiter]);
         if (row->kind == CAIRN_ROW_FRICTION) {
             row->state = CAIRN_ROW_FREE;
             row->limit = CAIRN_PUSH_MAX;
+            row->bias = biased ? -cairn_motion_ratio(moved(world, arbiter, row), CAIRN_SOFT_BETA) : 0;
+            from = NULL;
+        } else {
+            from = from == NULL ? arbiter->rows : from + 1;
+            start_point(world, arbiter, from, row, biased);
         }
         cairn_block_scale_row(block, i);
     }
@@ -218,17 +217,17 @@ static void start_points(const cairn_world *world, cairn_block *block,
 static bool limit_friction(const cairn_world *world, cairn_block *block)
 {
     bool changed = false;
-    for (int i = 0, next = 0; i < block->arbiter_count; i++) {
-        const cairn_arbiter *arbiter = cairn_arbiter_at(world, block->arbiters[i].place);
-        cairn_push pressure = 0;
-        for (int k = 0; k < arbiter->count; k++) {
-            pressure += block->rows[next + k].impulse;
+    cairn_push pressure = 0;
+    for (cairn_block_row *row = block->rows; row != block->rows + block->row_count; row++) {
+        if (row->kind != CAIRN_ROW_FRICTION) {
+            pressure += row->impulse;
+            continue;
         }
-        next += arbiter->count;
-        cairn_block_row *row = &block->rows[next++];
+        const cairn_arbiter *arbiter = arbiter_of(world, &block->arbiters[row->arbiter]);
         bool slides = magnitude(row->residual) > cairn_push_half(pressure);
         cairn_push old = row->limit;
         row->limit = cairn_push_factor(pressure, slides ? arbiter->kinetic_friction : cairn_arbiter_static_friction(world, arbiter));
+        pressure = 0;
         if (row->state == CAIRN_ROW_FREE && magnitude(row->impulse) > row->limit) {
             row->state = (uint8_t)(row->impulse > row->limit ? CAIRN_ROW_HIGH : CAIRN_ROW_LOW);
             changed = true;
@@ -239,20 +238,15 @@ static bool limit_friction(const cairn_world *world, cairn_block *block)
     return changed;
 }
 
-/* Friction's share of what the bodies lean by: their slip in this step is not to be undone. */
-static void bias_friction(cairn_block *block)
+/* The greatest size of these. */
+CAIRN_ONCE cairn_push greatest(cairn_push most, cairn_push x, cairn_push y, cairn_push w)
 {
-    for (int i = 0; i < block->row_count; i++) {
-        cairn_block_row *row = &block->rows[i];
-        if (row->kind == CAIRN_ROW_FRICTION) {
-            const cairn_block_arbiter *arbiter = &block->arbiters[row->arbiter];
-            const cairn_body *a = block->bodies[arbiter->a].body, *b = block->bodies[arbiter->b].body;
-            row->bias = -cairn_motion_ratio(cairn_displacement_along(a, b, row->x, row->y, row->lever_a, row->lever_b), CAIRN_SOFT_BETA);
-        }
+    cairn_push sizes[3] = { magnitude(x), magnitude(y), magnitude(w) };
+    for (int i = 0; i < 3; i++) {
+        most = sizes[i] > most ? sizes[i] : most;
     }
+    return most;
 }
-
-static cairn_push greater(cairn_push most, cairn_push x) { return magnitude(x) > most ? magnitude(x) : most; }
 
 /* Whether a body is much faster than any was before this sub-step: no collision without restitution does that. */
 static bool is_implausible(const cairn_world *world, cairn_block *block)
@@ -260,32 +254,37 @@ static bool is_implausible(const cairn_world *world, cairn_block *block)
     cairn_push before = 0, after = 0;
     cairn_push fall = magnitude(cairn_push_from_motion(world->gravity_x.whole)) + magnitude(cairn_push_from_motion(world->gravity_y.whole));
     cairn_block_evaluate(block);
-    for (int i = 0; i < block->body_count; i++) {
-        const cairn_block_body *body = &block->bodies[i];
-        before = greater(greater(greater(before, cairn_push_from_motion(body->body->ux)), cairn_push_from_motion(body->body->uy)),
-                         cairn_push_from_motion(body->body->uw));
-        after = greater(greater(greater(after, body->vx), body->vy), body->vw);
+    for (const cairn_block_body *at = block->bodies; at != block->bodies + block->body_count; at++) {
+        before = greatest(before, cairn_push_from_motion(at->body->ux), cairn_push_from_motion(at->body->uy), cairn_push_from_motion(at->body->uw));
+        after = greatest(after, at->vx, at->vy, at->vw);
     }
     return after > 2 * before + 4 * fall + cairn_push_from_motion(world->push_out_limit);
 }
 
-/* What the contacts' new directions make of the impulses may be anything: then the block starts from zero. */
-static void warm_start_block(cairn_world *world, cairn_block *block)
+/* Impulses that would have thrown the bodies are none. */
+static void finish(cairn_world *world, cairn_block *block)
 {
-    for (int i = 0; i < block->row_count; i++) {
-        cairn_push impulse = block->rows[i].impulse;
-        block->rows[i].impulse = 0;
-        set_impulse(block, i, impulse);
-    }
     if (is_implausible(world, block)) {
         clear_impulses(block);
     }
     store(world, block);
 }
 
-static void solve(cairn_world *world, cairn_block *block)
+/* What the contacts' new directions make of the impulses may be anything: then the block starts from zero. */
+static void warm_start_block(cairn_world *world, cairn_block *block)
+{
+    for (cairn_block_row *row = block->rows; row != block->rows + block->row_count; row++) {
+        cairn_push impulse = row->impulse;
+        row->impulse = 0;
+        cairn_block_press(block, row, impulse);
+    }
+    finish(world, block);
+}
+
+static void solve(cairn_world *world, cairn_block *block, bool biased)
 {
     bool settled = false;
+    start_rows(world, block, biased);
     cairn_block_evaluate(block);
     for (int i = 0; i < FRICTION_ROUNDS && !settled; i++) {
         if (!cairn_block_settle(block)) {
@@ -293,18 +292,10 @@ static void solve(cairn_world *world, cairn_block *block)
         }
         settled = !limit_friction(world, block);
     }
-    if (is_implausible(world, block)) {
-        clear_impulses(block);
-    }
-    store(world, block);
+    finish(world, block);
 }
 
-static void biased_block(cairn_world *world, cairn_block *block)
-{
-    start_points(world, block, bias_point);
-    bias_friction(block);
-    solve(world, block);
-}
+static void biased_block(cairn_world *world, cairn_block *block) { solve(world, block, true); }
 
 /*
  * The rule of rest holds for all of a block or for none: stopping a light body a little before its balance would leave
@@ -324,8 +315,7 @@ static void rest_together(const cairn_world *world, const cairn_block *block)
 
 static void relax_block(cairn_world *world, cairn_block *block)
 {
-    start_points(world, block, relax_point);
-    solve(world, block);
+    solve(world, block, false);
     rest_together(world, block);
 }
 

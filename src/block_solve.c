@@ -139,7 +139,7 @@ static void fill(const cairn_block *block, cairn_block_factors *f)
 }
 
 /* L D L^T, column by column. */
-static void factorise(cairn_block_factors *f)
+CAIRN_ONCE void factorise(cairn_block_factors *f)
 {
     for (int j = 0; j < f->count; j++) {
         cairn_unit d = f->column[at(j, j)];
@@ -160,7 +160,7 @@ static void factorise(cairn_block_factors *f)
 }
 
 /* Residuals become the changes of the impulses, scaled until the end. */
-static void substitute(const cairn_block_factors *f, cairn_block_row *rows)
+CAIRN_ONCE void substitute(const cairn_block_factors *f, cairn_block_row *rows)
 {
     for (int j = 0; j < f->count; j++) {
         cairn_block_row *row = &rows[f->rows[j]];
@@ -199,7 +199,7 @@ static bool is_met(const cairn_block_factors *f, const cairn_block *block)
 }
 
 /* Bring the free rows' residuals to zero. */
-static void solve_free(cairn_block *block)
+CAIRN_ONCE void solve_free(cairn_block *block)
 {
     cairn_block_factors *f = &block->factors;
     f->valid = collect(block, f);

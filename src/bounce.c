@@ -47,7 +47,7 @@ static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real thres
     return p->rest;
 }
 
-static void mix(cairn_impact *i, const cairn_world *world, phase *p)
+CAIRN_ONCE void mix(cairn_impact *i, const cairn_world *world, phase *p)
 {
     const cairn_material *a = i->a->model->material, *b = i->b->model->material;
     cairn_real threshold = a->bounce == NULL ? b->threshold : b->bounce == NULL || a->threshold < b->threshold ? a->threshold : b->threshold;

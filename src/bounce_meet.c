@@ -225,7 +225,7 @@ void cairn_impact_refresh(cairn_world *world, cairn_impact *i)
 }
 
 /* part / whole, below 2 */
-static cairn_unit time_of(cairn_motion part, cairn_motion whole)
+CAIRN_ONCE cairn_unit time_of(cairn_motion part, cairn_motion whole)
 {
     cairn_unit half = cairn_motion_fraction(cairn_motion_half(part), whole);
     return 2 * (half < CAIRN_UNIT(0.99) ? half : CAIRN_UNIT(0.99));

@@ -28,7 +28,7 @@ typedef struct course {
     cairn_offset sweep;  /* bound on how far turning moves any of its surface */
 } course;
 
-static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
+CAIRN_ONCE cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 
 /* Surfaces lie within 2 sqrt(2) radii of gyration of the centre; a circle's does not move by turning. */
 static cairn_offset sweep_of(const cairn_body *body, cairn_motion w)
@@ -72,7 +72,7 @@ static cairn_pose pose_at(const course *c, cairn_unit time)
 }
 
 /* What holds where the narrow phase finds nothing: it sets no normal for shapes beyond any distance. */
-static void expect_nothing(cairn_manifold *out)
+CAIRN_ONCE void expect_nothing(cairn_manifold *out)
 {
     out->normal_x = out->normal_y = 0;
     out->separation = ANY_DISTANCE;
@@ -88,7 +88,7 @@ static void look(const course *a, const course *b, cairn_unit time, cairn_manifo
 }
 
 /* The part of the step in which `way` is covered at this speed; all of it if that is too slow. */
-static cairn_unit time_for(cairn_offset way, cairn_offset speed)
+CAIRN_ONCE cairn_unit time_for(cairn_offset way, cairn_offset speed)
 {
     return speed > way ? cairn_offset_fraction(way, speed) : CAIRN_UNIT(1);
 }
@@ -311,7 +311,7 @@ static cairn_offset approach_of(const course *path, const course *obstacle, cons
 }
 
 /* How far into the step the core comes before it touches the other body; 1 if it does not. */
-static cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
+CAIRN_ONCE cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
 {
     course path = behind(fast, 0, 0);
     course obstacle = behind(other, cairn_bodies_apart_x(fast, other),
@@ -377,7 +377,7 @@ static cairn_real swept(const cairn_body *body)
     return cairn_real_above_motion(x > y ? x : y) + (cairn_body_is_round(body) ? 0 : 3 * cairn_real_above_motion(magnitude(body->dw)));
 }
 
-static cairn_real swept_most(const cairn_world *world)
+CAIRN_ONCE cairn_real swept_most(const cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_real most = 0;
@@ -389,7 +389,7 @@ static cairn_real swept_most(const cairn_world *world)
 }
 
 /* most: how far any other body has come. */
-static bool clip_body(cairn_world *world, cairn_body *fast, cairn_real most)
+CAIRN_ONCE bool clip_body(cairn_world *world, cairn_body *fast, cairn_real most)
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_body *nearest = NULL;

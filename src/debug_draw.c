@@ -46,7 +46,7 @@ static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const ca
     }
 }
 
-static void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
+CAIRN_ONCE void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
 {
     cairn_outline outline;
     cairn_vec2 corners[CAIRN_MAX_VERTICES];

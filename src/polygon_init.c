@@ -15,11 +15,11 @@ typedef struct corner_list {
     cairn_offset2 at[2 * CAIRN_MAX_VERTICES];
 } corner_list;
 
-static cairn_offset2 after(const corner_list *corners, int i) { return corners->at[i + 1 < corners->count ? i + 1 : 0]; }
+CAIRN_ONCE cairn_offset2 after(const corner_list *corners, int i) { return corners->at[i + 1 < corners->count ? i + 1 : 0]; }
 static cairn_offset2 before(const corner_list *corners, int i) { return corners->at[i > 0 ? i - 1 : corners->count - 1]; }
 
 /* Twice the area of the triangle a, b, c; positive if it turns to the left. */
-static cairn_area turn(cairn_offset2 a, cairn_offset2 b, cairn_offset2 c)
+CAIRN_ONCE cairn_area turn(cairn_offset2 a, cairn_offset2 b, cairn_offset2 c)
 {
     return cairn_offset_cross(b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y);
 }
@@ -32,7 +32,7 @@ static cairn_wide distance_squared(cairn_offset2 a, cairn_offset2 b)
     return squared(cairn_wide_from_offset(b.x - a.x), cairn_wide_from_offset(b.y - a.y));
 }
 
-static cairn_wide distance(cairn_offset2 a, cairn_offset2 b) { return cairn_wide_sqrt(distance_squared(a, b)); }
+CAIRN_ONCE cairn_wide distance(cairn_offset2 a, cairn_offset2 b) { return cairn_wide_sqrt(distance_squared(a, b)); }
 
 /* ---- corners ---- */
 

@@ -27,7 +27,7 @@ static cairn_extent wider(cairn_extent extent, cairn_real way)
     return cairn_extent_above(half + (more < most ? more : most) + CAIRN_F(1.0 / 128));
 }
 
-static void set_box(const cairn_body *body, cairn_quadtree_box *box)
+CAIRN_ONCE void set_box(const cairn_body *body, cairn_quadtree_box *box)
 {
     cairn_real way = cairn_body_way(body);
     bool stays = (body->flags & CAIRN_STATIC) != 0;

@@ -12,7 +12,7 @@ void cairn_quadtree_walk_start(const cairn_quadtree *tree, cairn_quadtree_walk *
 }
 
 /* Quadrants are numbered from the lower left: 1 is to its right, 2 above it, 3 both. */
-static void enter(const cairn_quadtree *tree, cairn_quadtree_walk *walk, uint16_t first_child, int quadrant)
+CAIRN_ONCE void enter(const cairn_quadtree *tree, cairn_quadtree_walk *walk, uint16_t first_child, int quadrant)
 {
     cairn_quadtree_place *place = &walk->place;
     walk->depth++;

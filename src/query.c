@@ -194,7 +194,7 @@ static bool enter_body(const ray *r, const cairn_body *body, entry *in)
 }
 
 /* from + (to - from) * fraction */
-static cairn_real between(cairn_real from, cairn_real to, cairn_unit fraction)
+CAIRN_ONCE cairn_real between(cairn_real from, cairn_real to, cairn_unit fraction)
 {
     return from + cairn_real_from_offset(cairn_offset_mul(cairn_offset_from_real(to - from), fraction));
 }

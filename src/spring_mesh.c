@@ -37,7 +37,7 @@ typedef struct web {
     cairn_mesh_link *links, *link_end;
 } web;
 
-static web web_of(cairn_world *world, cairn_mesh_part *part)
+CAIRN_ONCE web web_of(cairn_world *world, cairn_mesh_part *part)
 {
     web w;
     w.world = world;
@@ -52,8 +52,8 @@ static web web_of(cairn_world *world, cairn_mesh_part *part)
     return w;
 }
 
-static cairn_spring *spring_of(const web *w, const cairn_mesh_link *link) { return &w->world->springs->springs[link->spring]; }
-static const cairn_body *body_of(const web *w, const cairn_mesh_node *node) { return &w->world->bodies[node->body]; }
+CAIRN_ONCE cairn_spring *spring_of(const web *w, const cairn_mesh_link *link) { return &w->world->springs->springs[link->spring]; }
+CAIRN_ONCE const cairn_body *body_of(const web *w, const cairn_mesh_node *node) { return &w->world->bodies[node->body]; }
 
 /* ---- which bodies, in which order ---- */
 
@@ -140,7 +140,7 @@ static uint32_t arrange(const web *w)
     return size;
 }
 
-static uint32_t arrange_by_bodies(const web *w)
+CAIRN_ONCE uint32_t arrange_by_bodies(const web *w)
 {
     for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
         node->rank = node->body;
@@ -242,7 +242,7 @@ static void weigh_link(const web *w, cairn_mesh_link *link, cairn_wide most)
     link->velocity_gain = cairn_wide_to_share(cairn_wide_mul(root, cairn_wide_div(damping, weight)));
 }
 
-static void weigh_links(const web *w)
+CAIRN_ONCE void weigh_links(const web *w)
 {
     cairn_wide most = cairn_wide_zero(), softest = cairn_wide_from_int(1), stiffness, damping;
     for (cairn_mesh_node *node = w->nodes; node != w->node_end; node++) {
@@ -301,7 +301,7 @@ static bool make_rows(const web *w)
     return true;
 }
 
-static bool add_part(cairn_world *world, cairn_mesh *mesh, uint16_t network)
+CAIRN_ONCE bool add_part(cairn_world *world, cairn_mesh *mesh, uint16_t network)
 {
     cairn_mesh_part *part = &mesh->parts[mesh->part_count];
     uint32_t entries = mesh->entry_count;
@@ -355,7 +355,7 @@ typedef struct line {
     cairn_share g[6];
 } line;
 
-static void add_to(line *l, int row, cairn_share g)
+CAIRN_ONCE void add_to(line *l, int row, cairn_share g)
 {
     l->row[l->count] = (uint16_t)row;
     l->g[l->count++] = g;
@@ -419,7 +419,7 @@ static cairn_sum less_products(cairn_sum sum, const web *w, const cairn_mesh_row
     return sum;
 }
 
-static void factorise(const web *w)
+CAIRN_ONCE void factorise(const web *w)
 {
     assemble(w);
     for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
@@ -457,7 +457,7 @@ static cairn_motion ask(const web *w)
     return most;
 }
 
-static void pull(const web *w, int lift)
+CAIRN_ONCE void pull(const web *w, int lift)
 {
     for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
         row->value = 0;
@@ -473,7 +473,7 @@ static void pull(const web *w, int lift)
 }
 
 /* Forwards by the factors, backwards by their transpose. */
-static void substitute(const web *w)
+CAIRN_ONCE void substitute(const web *w)
 {
     for (cairn_mesh_row *row = w->rows; row != w->row_end; row++) {
         const cairn_share *entry = &w->mesh->entries[row->entries];

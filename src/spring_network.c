@@ -29,7 +29,7 @@ static bool are_neighbours(const cairn_spring_pool *pool, uint16_t s, uint16_t t
     return pool->springs[s].next == t || pool->springs[t].next == s;
 }
 
-static cairn_unit alignment(const cairn_spring *s, const cairn_spring *t)
+CAIRN_ONCE cairn_unit alignment(const cairn_spring *s, const cairn_spring *t)
 {
     cairn_unit c = cairn_spring_cosine(s, t);
     return c < 0 ? -c : c;

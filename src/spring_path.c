@@ -24,7 +24,7 @@ cairn_unit cairn_spring_cosine(const cairn_spring *s, const cairn_spring *t)
     return cairn_dir_cosine(s->direction_x, s->direction_y, t->direction_x, t->direction_y);
 }
 
-static void swap(uint16_t *a, uint16_t *b)
+CAIRN_ONCE void swap(uint16_t *a, uint16_t *b)
 {
     uint16_t was = *a;
     *a = *b;

@@ -104,13 +104,13 @@ void cairn_springs_prepare(cairn_world *world)
 
 /* ---- the sub-step ---- */
 
-static cairn_motion along(const cairn_reach *r, cairn_motion x, cairn_motion y)
+CAIRN_ONCE cairn_motion along(const cairn_reach *r, cairn_motion x, cairn_motion y)
 {
     return cairn_motion_add(cairn_motion_unit(x, r->x), cairn_motion_unit(y, r->y));
 }
 
 /* The relative acceleration by gravity alone, along the spring. */
-static cairn_motion gravity_along(const cairn_world *world, const cairn_spring *spring, const cairn_reach *r)
+CAIRN_ONCE cairn_motion gravity_along(const cairn_world *world, const cairn_spring *spring, const cairn_reach *r)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_motion g = along(r, world->gravity_x.whole, world->gravity_y.whole);
@@ -125,7 +125,7 @@ CAIRN_ONCE void push(cairn_body *body, const cairn_reach *r, cairn_motion impuls
 }
 
 /* An isolated spring by the exact map, with all the bits of its direction. */
-static void solve_exactly(cairn_world *world, cairn_spring *spring)
+CAIRN_ONCE void solve_exactly(cairn_world *world, cairn_spring *spring)
 {
     cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_reach r;

@@ -99,7 +99,7 @@
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define CAIRN_ONCE static __attribute__((noinline))
 #else
-#define CAIRN_ONCE static inline
+#define CAIRN_ONCE static
 #endif
 
 #endif
