@@ -47,5 +47,6 @@ set(CAIRN_SOURCES
     src/spring_solve.c
     src/sweep.c
     src/sweep_careful.c
+    src/sweep_quick.c
     src/world.c
 )

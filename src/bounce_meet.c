@@ -346,6 +346,7 @@ void cairn_impact_hand_back(cairn_impact *i)
     if (cairn_arbiter_may_slide(a, b)) {
         cairn_arbiter_slide(a, b, i->arbiter, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx) - i->x,
                             cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy) - i->y);
+        cairn_arbiter_mark_careful(i->arbiter, a, b);
     }
     repeat_anew(i, &i->before);
 }

@@ -148,6 +148,11 @@ static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_M
 static inline bool cairn_arbiter_has_two(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS > 1 && arbiter->count > 1; }
 /* The place of the second of two rows. */
 #define CAIRN_LAST_ROW (CAIRN_MAX_POINTS - 1)
+/* All that it presses with. */
+static inline cairn_motion cairn_arbiter_pressure(const cairn_arbiter *arbiter)
+{
+    return arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
+}
 /* A function in a table, of contacts of two points: null in builds that know one point only. */
 #define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
 
@@ -422,6 +427,8 @@ uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arb
 cairn_lever cairn_body_lever(const cairn_body *body, cairn_offset arm);
 /* Levers, shares and effective masses from the manifold; keeps the impulses of points that persist. */
 void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cairn_manifold *manifold);
+/* By its levers: the sweeps' quick ways have room for short ones and for bodies that are free to move. */
+void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b);
 
 /* ---- slide.c: levers follow bodies that slide past one another ---- */
 /* What moves by less to one another, m a sub-step, hardly slides: below 1 m/s at 4 sub-steps. */

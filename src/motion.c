@@ -227,7 +227,7 @@ static inline bool slips(const cairn_arbiter *arbiter, cairn_motion pressure)
 CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *arbiter)
 {
     cairn_body *b = &world->bodies[arbiter->b];
-    cairn_motion pressure = arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
+    cairn_motion pressure = cairn_arbiter_pressure(arbiter);
     if ((slips(arbiter, pressure) || cairn_body_is_under_way(world, b)) && !(arbiter->block & CAIRN_BLOCK_NUMBER)
         && !cairn_body_is_fixed(b)) {
         cairn_motion_add_lack(&b->vx, &b->vy, pressure, arbiter->friction_impulse, arbiter->normal_x, arbiter->normal_y, (cairn_lean)arbiter->friction_lever_a,

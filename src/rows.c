@@ -71,8 +71,7 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     arbiter->count = (uint8_t)manifold->count;
 }
 
-/* The sweeps' quick ways have room for short levers and for bodies that are free to move. */
-static void mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
+void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     bool careful = cairn_bodies_are_fixed(a, b) || !cairn_lever_is_short(arbiter->friction_lever_a)
                 || !cairn_lever_is_short(arbiter->friction_lever_b);
@@ -152,7 +151,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
             cairn_arbiter_slide(a, b, arbiter, -until(b->vx - a->vx, world, manifold->time), -until(b->vy - a->vy, world, manifold->time));
         }
     }
-    mark_careful(arbiter, a, b);
+    cairn_arbiter_mark_careful(arbiter, a, b);
     if (arbiter->flags & CAIRN_ARBITER_ON_STATIC) {
         arbiter->friction_lever_a = cairn_dir_lean(nx, ny, arbiter->normal_x, arbiter->normal_y);
     }

@@ -51,7 +51,7 @@ static void push(cairn_world *world, cairn_arbiter *arbiter, cairn_row *row)
 static void rub(cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_dir tx = cairn_dir_negate(arbiter->normal_y), ty = arbiter->normal_x;
-    cairn_motion pressure = arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
+    cairn_motion pressure = cairn_arbiter_pressure(arbiter);
     cairn_motion u = velocity(world, arbiter, tx, ty, arbiter->friction_lever_a, arbiter->friction_lever_b);
     cairn_motion impulse = arbiter->friction_impulse - cairn_motion_ratio(u, arbiter->friction_mass);
     cairn_motion limit = cairn_motion_factor(pressure, cairn_arbiter_static_friction(world, arbiter));

@@ -234,7 +234,7 @@ static void land(const cairn_world *world, cairn_arbiter *arbiter)
     cairn_row *rows = arbiter->rows;
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     bool flew = cairn_row_came_flying(&rows[0]) && (!cairn_arbiter_has_two(arbiter) || cairn_row_came_flying(&rows[CAIRN_LAST_ROW]));
-    cairn_motion pressure = rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? rows[CAIRN_LAST_ROW].impulse : 0);
+    cairn_motion pressure = cairn_arbiter_pressure(arbiter);
     if (!flew || pressure == 0) {
         return;
     }

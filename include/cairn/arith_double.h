@@ -269,6 +269,8 @@ static inline cairn_motion cairn_motion_lever(cairn_motion a, cairn_lever j) { r
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
 typedef double cairn_fine;
 static inline cairn_fine cairn_fine_of(cairn_motion a) { return a; }
+static inline cairn_motion cairn_motion_from_fine(cairn_fine a) { return a; }
+static inline cairn_fine cairn_fine_add(cairn_fine a, cairn_fine b) { return a + b; }
 static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }

@@ -573,6 +573,9 @@ static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 /* Parts of a change before they are rounded, Q3.29; of changes below 4. */
 typedef int32_t cairn_fine;
 static inline cairn_fine cairn_fine_of(cairn_motion a) { return a * 2; }
+static inline cairn_motion cairn_motion_from_fine(cairn_fine a) { return a >> 1; }
+/* Saturates. */
+static inline cairn_fine cairn_fine_add(cairn_fine a, cairn_fine b) { return cairn_add_clamped(a, b); }
 static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s)
 {
     if (CAIRN_PORT_ASKS && s == 0) { return 0; }

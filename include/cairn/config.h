@@ -49,6 +49,17 @@
 #ifndef CAIRN_WITH_DAMPING
 #define CAIRN_WITH_DAMPING 1
 #endif
+/*
+ * Ways of their own through the solver's passes for most kinds of contacts. They only save time, at the price of flash: without them the bits are
+ * the same. A build for size has none.
+ */
+#ifndef CAIRN_WITH_QUICK_WAYS
+#ifdef __OPTIMIZE_SIZE__
+#define CAIRN_WITH_QUICK_WAYS 0
+#else
+#define CAIRN_WITH_QUICK_WAYS 1
+#endif
+#endif
 /* Most points of a contact: 2, or 1 where all that moves is round, which takes a third off an arbiter. */
 #ifndef CAIRN_MAX_POINTS
 #define CAIRN_MAX_POINTS 2
@@ -58,7 +69,7 @@
 #if !CAIRN_IS_FLAG(CAIRN_WITH_SPRINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_BOUNCE) || !CAIRN_IS_FLAG(CAIRN_WITH_CONTINUOUS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_BLOCKS) || !CAIRN_IS_FLAG(CAIRN_WITH_SLEEP) || !CAIRN_IS_FLAG(CAIRN_WITH_QUADTREE) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING)
+    || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS)
 #error "each CAIRN_WITH_... must be 0 or 1"
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2
