@@ -1,5 +1,5 @@
 /* The ways that contacts take through the sweeps, and that they agree with one another. */
-#include "engine.h"
+#include "sweep.h"
 
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
@@ -214,4 +214,89 @@ void test_a_sliver_on_its_end_falls_by_the_careful_way(void)
     run(240);
     ASSERT_NEAR(0.001, 0.05, y_of(id));
     ASSERT_NEAR(0.001, 0, cairn_angle_radians(cairn_body_angle(world, id)));
+}
+
+/* ---- the careful way, which is all that a build for size has, gives the quick ones' bits ---- */
+
+static cairn_body bodies_after[YARD_BODIES];
+static cairn_arbiter arbiters_after[YARD_ARBITERS];
+
+static void assert_same_motion(cairn_motion expected, cairn_motion actual) { ASSERT_NEAR(1e-12, 0, expected - actual); }
+
+/* Every contact by the careful way, against what a pass by the contacts' own ways has left in bodies_after and arbiters_after. */
+static void assert_careful_gives_the_same(cairn_careful_pass *careful)
+{
+    for (uint16_t at = world->swept_ends[CAIRN_PATH_NONE]; at < world->swept_ends[CAIRN_PATH_TURN]; at++) {
+        cairn_arbiter *arbiter = &world->arbiters[world->swept[at]];
+        const cairn_arbiter *after = &arbiters_after[world->swept[at]];
+        careful(world, arbiter, false);
+        for (int i = 0; i < arbiter->count; i++) {
+            assert_same_motion(after->rows[i].impulse, arbiter->rows[i].impulse);
+        }
+        assert_same_motion(after->friction_impulse, arbiter->friction_impulse);
+    }
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        assert_same_motion(bodies_after[i].vx, world->bodies[i].vx);
+        assert_same_motion(bodies_after[i].vy, world->bodies[i].vy);
+        assert_same_motion(bodies_after[i].w, world->bodies[i].w);
+    }
+}
+
+static void restore(void)
+{
+    memcpy(bodies_after, world->bodies, sizeof bodies_after);
+    memcpy(arbiters_after, world->arbiters, sizeof arbiters_after);
+    memcpy(world->bodies, bodies_before, sizeof bodies_before);
+    memcpy(world->arbiters, arbiters_before, sizeof arbiters_before);
+}
+
+static void assert_ways_agree(void)
+{
+    cairn_sweep_choose_again(world); /* some are to be made anew */
+    cairn_sweep_arrange(world);
+    keep_yard();
+    cairn_sweep_warm_start(world);
+    restore();
+    assert_careful_gives_the_same(cairn_careful_warm_start);
+    keep_yard();
+    cairn_sweep_biased(world, 0);
+    restore();
+    assert_careful_gives_the_same(cairn_careful_biased_pass);
+    keep_yard();
+    cairn_sweep_relax(world, 0);
+    restore();
+    assert_careful_gives_the_same(cairn_careful_relax_pass);
+}
+
+void test_the_careful_way_gives_the_quick_ones_bits(void)
+{
+    unsigned ways = 0;
+    put_floor();
+    for (int i = 0; i < 4; i++) {
+        put_of(&box, CAIRN_F(0.1 * i), CAIRN_F(0.5 + 1.01 * i), 1 + i / 2);
+        put_of(&ball, CAIRN_F(3), CAIRN_F(0.5 + 1.01 * i), 1 + i / 2);
+        put_moving(&ball, CAIRN_F(-2 - i), CAIRN_F(0.6), CAIRN_F(2), 0);
+    }
+    put(&box, CAIRN_F(-8), CAIRN_F(0.5));
+    put(&ball, CAIRN_F(-8.1), CAIRN_F(1.5));
+    for (int step = 0; step < 90; step++) {
+        run(1);
+        for (uint16_t place = 0; place < world->arbiter_count; place++) {
+            ways |= 1u << way_at(place);
+        }
+        keep_yard();
+        cairn_world world_then = world_before;
+        static cairn_body bodies_then[YARD_BODIES];
+        static cairn_arbiter arbiters_then[YARD_ARBITERS];
+        memcpy(bodies_then, bodies_before, sizeof bodies_then);
+        memcpy(arbiters_then, arbiters_before, sizeof arbiters_then);
+        assert_ways_agree();
+        *world = world_then;
+        memcpy(world->bodies, bodies_then, sizeof bodies_then);
+        memcpy(world->arbiters, arbiters_then, sizeof arbiters_then);
+    }
+    for (unsigned way = CAIRN_PATH_ON_STATIC; way <= CAIRN_PATH_EVEN; way++) {
+        TEST_ASSERT_TRUE(ways & 1u << way);
+    }
+    TEST_ASSERT_TRUE(ways & 1u << CAIRN_PATH_EVEN_CENTRAL);
 }
