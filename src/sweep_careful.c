@@ -115,7 +115,7 @@ static bool goes_quick(const pair_state *pair, const cairn_arbiter *arbiter, boo
 static cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb)
 {
     if (cairn_lever_is_short(ja) && cairn_lever_is_short(jb)) {
-        return linear + cairn_motion_levers(pair->b->w, jb, -pair->a->w, ja);
+        return cairn_motion_add_levers(linear, pair->b->w, jb, -pair->a->w, ja);
     }
     return linear + cairn_motion_lever(pair->b->w, jb) - cairn_motion_lever(pair->a->w, ja);
 }

@@ -250,6 +250,7 @@ static inline cairn_motion cairn_motion_half_dir(cairn_motion a, cairn_dir d) { 
 static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j) { return a * j / 2; }
 #define CAIRN_LEVER_SHORT 2.0
 static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
+static inline cairn_motion cairn_motion_add_levers(cairn_motion u, cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return u + a * j + b * k; }
 static inline bool cairn_lever_is_short(cairn_lever j) { return fabs(j) <= CAIRN_LEVER_SHORT; }
 static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { return fabs(x) <= limit; }
 static inline bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)

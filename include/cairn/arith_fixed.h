@@ -545,6 +545,11 @@ static inline cairn_motion cairn_motion_half_lever(cairn_motion a, cairn_lever j
 /* a j + b k; both levers at most CAIRN_LEVER_SHORT */
 #define CAIRN_LEVER_SHORT 16384
 static inline cairn_motion cairn_motion_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return cairn_dot16(a, j, b, k, 13); }
+/* The same on top of u. */
+static inline cairn_motion cairn_motion_add_levers(cairn_motion u, cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k)
+{
+    return u + cairn_dot16(a, j, b, k, 13);
+}
 static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
 static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
 /* Do all of them lie in [-limit, limit), a constant power of two? */
