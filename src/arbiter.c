@@ -76,12 +76,14 @@ cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b)
     }
     const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     uint16_t slot = world->order[world->arbiter_count];
-    memmove(&world->order[place + 1], &world->order[place], (size_t)(world->arbiter_count - place) * sizeof *world->order);
+    for (volatile uint16_t *at = &world->order[world->arbiter_count]; at != &world->order[place]; at--) {
+        at[0] = at[-1]; /* volatile, or gcc makes a memmove of it, which goes by bytes */
+    }
     world->order[place] = slot;
     world->arbiter_count++;
 
     cairn_arbiter *arbiter = &world->arbiters[slot];
-    memset(arbiter, 0, sizeof *arbiter);
+    cairn_clear(arbiter, sizeof *arbiter);
     arbiter->a = a;
     arbiter->b = b;
     arbiter->after = CAIRN_NONE;

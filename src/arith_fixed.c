@@ -238,10 +238,17 @@ cairn_angle cairn_angle_from_radians(cairn_real radians)
 
 cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole)
 {
-    /* part * 2^32 / whole, 16 bits at a time */
-    uint32_t under = (uint32_t)whole, over = (uint32_t)part << 16;
-    uint32_t high = over / under, rest = over % under;
-    return (cairn_angle)((high << 16) + ((rest << 16) + under / 2) / under);
+    /* part * 2^32 / whole, bit by bit: a division may be a function of 266 bytes */
+    uint32_t rest = (uint32_t)part, under = (uint32_t)whole, turn = 0;
+    for (int i = 0; i < 32; i++) {
+        rest <<= 1;
+        turn <<= 1;
+        if (rest >= under) {
+            rest -= under;
+            turn++;
+        }
+    }
+    return (cairn_angle)(2 * rest >= under ? turn + 1 : turn);
 }
 
 /* ---- cairn_wide ---- */
@@ -312,7 +319,7 @@ cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b)
 
 cairn_wide_word cairn_word_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
 {
-    int64_t value = (int64_t)a * d - (int64_t)b * c;
+    int64_t value = cairn_times(a, d) - cairn_times(b, c);
     return word_from_64(value < 0 ? (uint64_t)-value : (uint64_t)value, -60);
 }
 
@@ -524,8 +531,8 @@ cairn_ratio cairn_factor_inverse(cairn_factor f)
 cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s)
 {
     const int64_t most = (int64_t)1 << 61; /* beyond it the root is 0 or saturates whatever u is */
-    int64_t gain = (int64_t)g * s;
-    int64_t square = (int64_t)u * u + 2 * (gain > most ? most : gain < -most ? -most : gain);
+    int64_t gain = cairn_times(g, s);
+    int64_t square = cairn_times(u, u) + 2 * (gain > most ? most : gain < -most ? -most : gain);
     uint32_t speed = square > 0 ? root((uint64_t)square) : 0;
     return speed > INT32_MAX ? INT32_MAX : (int32_t)speed;
 }
@@ -538,12 +545,12 @@ cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
 
 /* ---- cairn_push ---- */
 
-/* high * 2^32 + low is x: both products fit in 64 bits. */
+/* high * 2^31 + low is x: both products fit in 64 bits. */
 int64_t cairn_mul64(int64_t x, int32_t f, int shift)
 {
-    int64_t high = (x >> 32) * f, low = (int64_t)((uint64_t)x & 0xFFFFFFFFu) * f;
+    int64_t high = cairn_times((int32_t)(x >> 31), f), low = cairn_times((int32_t)((uint32_t)x & 0x7FFFFFFFu), f);
     low += (int64_t)1 << (shift - 1);
-    return (int64_t)((uint64_t)high << (32 - shift)) + (low >> shift);
+    return (int64_t)((uint64_t)high << (31 - shift)) + (low >> shift);
 }
 
 cairn_push cairn_push_dir(cairn_push x, cairn_dir d)

@@ -23,7 +23,7 @@ static uint8_t slot_of(cairn_block *block, cairn_body *body)
     }
     if (i == block->body_count) {
         cairn_block_body *slot = &block->bodies[block->body_count++];
-        memset(slot, 0, sizeof *slot);
+        cairn_clear(slot, sizeof *slot);
         slot->body = body;
     }
     return (uint8_t)i;
@@ -347,7 +347,7 @@ cairn_status cairn_blocks_enable(cairn_world *world, cairn_block *memory)
     if (!CAIRN_WITH_BLOCKS) {
         return cairn_fail(world, CAIRN_ERROR_KIND);
     }
-    memset(memory, 0, sizeof *memory);
+    cairn_clear(memory, sizeof *memory);
     memory->kind = &block_class;
     world->block = memory;
     return CAIRN_OK;

@@ -152,7 +152,7 @@ static cairn_body *take_place(cairn_world *world)
     }
     cairn_body *body = &world->bodies[place];
     uint16_t generation = body->generation;
-    memset(body, 0, sizeof *body);
+    cairn_clear(body, sizeof *body);
     body->generation = (uint16_t)(generation == 0 ? 1 : generation);
     world->stats.bodies++;
     return body;

@@ -234,7 +234,7 @@ static cairn_status fill(cairn_polygon *polygon, const corner_list *corners, cai
         return CAIRN_ERROR_SHAPE;
     }
     cairn_wide whole = twice_area(corners);
-    memset(polygon, 0, sizeof *polygon);
+    cairn_clear(polygon, sizeof *polygon);
     polygon->shape.kind = &cairn_polygon_class;
     polygon->shape.size = cairn_vec2_of(cairn_real_above_offset(radius), 0);
     polygon->shape.polygon = polygon;

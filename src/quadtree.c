@@ -366,7 +366,7 @@ cairn_status cairn_quadtree_enable(cairn_world *world, const cairn_quadtree_stor
     }
     cairn_quadtree *tree = storage->tree;
     cairn_real half = cairn_real_half(cairn_real_from_int((int32_t)1 << size_log2));
-    memset(tree, 0, sizeof *tree);
+    cairn_clear(tree, sizeof *tree);
     tree->boxes = storage->boxes;
     tree->cells = storage->cells;
     tree->entries = storage->entries;

@@ -232,7 +232,7 @@ cairn_status cairn_query_ray(cairn_world *world, cairn_vec2 start, cairn_vec2 en
     if (closest != NULL) {
         *hit = hit_of(world, closest, &r, &best);
     } else {
-        memset(hit, 0, sizeof *hit);
+        cairn_clear(hit, sizeof *hit);
     }
     return CAIRN_OK;
 }

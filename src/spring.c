@@ -161,7 +161,7 @@ static cairn_spring *take_place(cairn_spring_pool *pool)
     }
     uint16_t generation = place < pool->end ? pool->springs[place].generation : 1;
     pool->end = place == pool->end ? (uint16_t)(place + 1) : pool->end;
-    memset(&pool->springs[place], 0, sizeof *pool->springs);
+    cairn_clear(&pool->springs[place], sizeof *pool->springs);
     pool->springs[place].generation = generation;
     return &pool->springs[place];
 }

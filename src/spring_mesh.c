@@ -75,7 +75,7 @@ static bool add_node(web *w, uint16_t body)
     if (w->node_end == w->mesh->nodes + w->mesh->body_capacity) {
         return false;
     }
-    memset(w->node_end, 0, sizeof *w->node_end);
+    cairn_clear(w->node_end, sizeof *w->node_end);
     w->node_end++->body = body;
     return true;
 }
@@ -308,7 +308,7 @@ CAIRN_ONCE bool add_part(cairn_world *world, cairn_mesh *mesh, uint16_t network)
     if (mesh->part_count == mesh->body_capacity) {
         return false;
     }
-    memset(part, 0, sizeof *part);
+    cairn_clear(part, sizeof *part);
     part->network = network;
     part->node = mesh->node_count;
     part->row = mesh->row_count;
@@ -389,7 +389,7 @@ static void assemble(const web *w)
         for (int k = 0; k < rows_of(node); k++) {
             cairn_mesh_row *row = &mesh->rows[node->row + k];
             row->value = k < node->shifts ? node->mass : node->inertia;
-            memset(&mesh->entries[row->entries], 0, (size_t)(node->row + k - row->first) * sizeof(cairn_share));
+            cairn_clear(&mesh->entries[row->entries], (size_t)(node->row + k - row->first) * sizeof(cairn_share));
         }
     }
     for (const cairn_mesh_link *link = w->links; link != w->link_end; link++) {
@@ -558,7 +558,7 @@ cairn_status cairn_meshes_enable(cairn_world *world, const cairn_mesh_storage *s
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
     cairn_mesh *mesh = storage->mesh;
-    memset(mesh, 0, sizeof *mesh);
+    cairn_clear(mesh, sizeof *mesh);
     mesh->kind = &class_of_meshes;
     mesh->parts = storage->parts;
     mesh->nodes = storage->nodes;

@@ -53,7 +53,7 @@ static void arrange(cairn_world *world)
     const uint16_t *const end = world->order + world->arbiter_count;
     const cairn_arbiter *const arbiters = world->arbiters;
     uint16_t *const places = world->swept_ends, *const swept = world->swept, place = 0;
-    memset(places, 0, sizeof world->swept_ends);
+    cairn_clear(places, sizeof world->swept_ends);
     for (const uint16_t *at = world->order; at != end; at++) {
         places[arbiters[*at].path & CAIRN_PATH_TURN]++;
     }

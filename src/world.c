@@ -64,7 +64,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
         return NULL;
     }
     cairn_world *world = storage->world;
-    memset(world, 0, sizeof *world);
+    cairn_clear(world, sizeof *world);
     world->bodies = storage->bodies;
     world->arbiters = storage->arbiters;
     world->order = storage->order;

@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _ADD, _CLZ or _ASKS;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD, _CLZ or _ASKS;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -84,6 +84,9 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #ifndef CAIRN_PORT_PRODUCT
 #define CAIRN_PORT_PRODUCT(a, b) ((uint64_t)(a) * (b))
 #endif
+#ifndef CAIRN_PORT_TIMES
+#define CAIRN_PORT_TIMES(a, b) ((int64_t)(a) * (b))
+#endif
 #ifndef CAIRN_PORT_ADD
 #define CAIRN_PORT_ADD(a, b, sum) cairn_add_plain(a, b, sum)
 #endif
@@ -129,6 +132,9 @@ static inline int32_t cairn_dot32(int32_t a, int32_t b, int32_t c, int32_t d, in
 /* a * b, all 64 bits. */
 static inline uint64_t cairn_product(uint32_t a, uint32_t b) { return CAIRN_PORT_PRODUCT(a, b); }
 
+/* The same of numbers with signs. */
+static inline int64_t cairn_times(int32_t a, int32_t b) { return CAIRN_PORT_TIMES(a, b); }
+
 /* sum = a + b, wrapped; true if it wrapped. */
 static inline bool cairn_add_overflows(int32_t a, int32_t b, int32_t *sum) { return CAIRN_PORT_ADD(a, b, sum); }
 
@@ -145,6 +151,16 @@ static inline int32_t cairn_clamp64(int64_t x)
     int32_t low = (int32_t)(uint32_t)x, high = (int32_t)(x >> 32);
     if (high != low >> 31) { return high < 0 ? -INT32_MAX : INT32_MAX; }
     return low < -INT32_MAX ? -INT32_MAX : low;
+}
+
+/*
+ * a * b / 2^shift into the 32-bit range, 1 <= shift <= 31. On ways that are seldom taken: by the compiler's own function, for a product
+ * that is inlined there takes registers from the other ways.
+ */
+static inline int32_t cairn_mul_clamped(int32_t a, int32_t b, int shift)
+{
+    int64_t product = CAIRN_SMALL ? cairn_times(a, b) : (int64_t)a * b;
+    return cairn_clamp64((product + ((int64_t)1 << (shift - 1))) >> shift);
 }
 
 /* a + b into the 32-bit range. */
@@ -166,7 +182,7 @@ static inline int32_t cairn_clamp(int32_t x, int32_t limit)
 
 static inline cairn_real cairn_real_add(cairn_real a, cairn_real b) { return cairn_add_clamped(a, b); }
 static inline cairn_real cairn_real_sub(cairn_real a, cairn_real b) { return cairn_clamp64((int64_t)a - b); }
-static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return cairn_clamp64(((int64_t)a * b + 32768) >> 16); }
+static inline cairn_real cairn_real_mul(cairn_real a, cairn_real b) { return cairn_mul_clamped(a, b, 16); }
 static inline cairn_real cairn_real_from_int(int32_t x) { return cairn_clamp64((int64_t)x * 65536); }
 static inline int32_t cairn_real_floor(cairn_real x) { return x >> 16; }
 /* -limit <= x <= limit; limit >= 0 */
@@ -348,7 +364,7 @@ static inline cairn_motion cairn_motion_eighth(cairn_motion x) { return (x + 4) 
 /* x c + y s, rounded; saturates */
 static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit c, cairn_unit s)
 {
-    return cairn_clamp64(((int64_t)x * c + (int64_t)y * s + 536870912) >> 30);
+    return cairn_clamp64((cairn_times(x, c) + cairn_times(y, s) + 536870912) >> 30);
 }
 /* The nearest API number. */
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
@@ -407,7 +423,7 @@ static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, ca
 /* ax by - ay bx, exact; each product within 500 m by 500 m. */
 static inline cairn_area cairn_offset_cross(cairn_offset ax, cairn_offset ay, cairn_offset bx, cairn_offset by)
 {
-    return (int64_t)ax * by - (int64_t)ay * bx;
+    return cairn_times(ax, by) - cairn_times(ay, bx);
 }
 static inline cairn_unit cairn_unit_dot(cairn_unit ax, cairn_unit ay, cairn_unit bx, cairn_unit by)
 {
@@ -592,7 +608,7 @@ static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_di
 /* The share with what was cut off before added, and what is cut off now kept. */
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {
-    int64_t exact = (int64_t)a * s + (int64_t)*carry * 32768;
+    int64_t exact = cairn_times(a, s) + (int64_t)*carry * 32768;
     cairn_motion whole = (cairn_motion)((exact + 536870912) >> 30);
     *carry = (cairn_carry)((exact - (int64_t)whole * 1073741824) >> 15);
     return whole;
@@ -604,8 +620,8 @@ static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_facto
 /* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {
-    if ((uint32_t)f <= (uint32_t)CAIRN_FACTOR(1)) { return cairn_mul32(a, f, 20); }
-    return cairn_clamp64(((int64_t)a * f + 524288) >> 20);
+    if (!CAIRN_SMALL && (uint32_t)f <= (uint32_t)CAIRN_FACTOR(1)) { return cairn_mul32(a, f, 20); }
+    return cairn_mul_clamped(a, f, 20);
 }
 
 /* x as a share of a whole: part / whole in [0, 1]; 0 < whole. */
@@ -672,7 +688,7 @@ static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return
 
 typedef int64_t cairn_sum;
 static inline cairn_sum cairn_sum_of(cairn_share a) { return (int64_t)a * ((int64_t)1 << 30); }
-static inline cairn_sum cairn_sum_less(cairn_sum sum, cairn_share a, cairn_share b) { return sum - (int64_t)a * b; }
+static inline cairn_sum cairn_sum_less(cairn_sum sum, cairn_share a, cairn_share b) { return sum - cairn_times(a, b); }
 static inline cairn_share cairn_sum_share(cairn_sum sum) { return cairn_clamp64((sum + ((int64_t)1 << 29)) >> 30); }
 
 /* How many bits a motion of this size may be lifted (or, negative, has to be lowered) to have 22 of them. */
@@ -759,7 +775,7 @@ static inline cairn_factor cairn_factor_reciprocal(cairn_factor f)
 {
     return cairn_wide_scale(1, cairn_wide_div(cairn_wide_of(1, 0), cairn_wide_of(f, -20)), 20);
 }
-static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_clamp64(((int64_t)a * b + 524288) >> 20); }
+static inline cairn_factor cairn_factor_mul(cairn_factor a, cairn_factor b) { return cairn_mul_clamped(a, b, 20); }
 /* x x + y y: one, but for rounding */
 static inline cairn_factor cairn_factor_square(cairn_dir x, cairn_dir y) { return ((int32_t)x * x + (int32_t)y * y + 128) >> 8; }
 /* 1 / f, within 0.9 units of Q1.14; just below 2 from f = 0.5 down. */

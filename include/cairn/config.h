@@ -84,9 +84,16 @@
 #define CAIRN_ASSERT(condition) ((void)0)
 #endif
 
+/* 1 where bytes count and not instructions: what only saves time is left out. The bits are the same. */
+#ifdef __OPTIMIZE_SIZE__
+#define CAIRN_SMALL 1
+#else
+#define CAIRN_SMALL 0
+#endif
+
 /* For functions whose arguments are mostly constants: they must not become calls, but where branches are counted, or bytes. */
 #if defined(CAIRN_INLINE)
-#elif defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#elif defined(__GNUC__) && !CAIRN_SMALL
 #define CAIRN_INLINE static inline __attribute__((always_inline))
 #else
 #define CAIRN_INLINE static inline

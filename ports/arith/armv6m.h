@@ -14,6 +14,7 @@
 #define CAIRN_PORT_DOT16(a, b, c, d, shift) cairn_armv6m_dot16(a, b, c, d, shift)
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv6m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_PRODUCT(a, b) cairn_armv6m_product(a, b)
+#define CAIRN_PORT_TIMES(a, b) cairn_armv6m_times(a, b)
 
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
 #define CAIRN_ARMV6M_ASM 1
@@ -51,9 +52,32 @@ static inline uint64_t cairn_armv6m_product(uint32_t a, uint32_t b)
     return (uint64_t)b << 32 | al;
 }
 
-/* a b + c d in two words, then over 2^shift */
+static inline int64_t cairn_armv6m_times(int32_t a, int32_t b)
+{
+    uint32_t al, bl, cross;
+    __asm__(".syntax unified\n\t"
+            "uxth %2, %0\n\tasrs %0, %0, #16\n\tuxth %3, %1\n\tasrs %1, %1, #16\n\t"
+            "movs %4, %2\n\tmuls %4, %1, %4\n\tmuls %1, %0, %1\n\tmuls %0, %3, %0\n\tmuls %2, %3, %2\n\t"
+            "lsls %3, %0, #16\n\tasrs %0, %0, #16\n\tadds %2, %2, %3\n\tadcs %1, %1, %0\n\t"
+            "lsls %3, %4, #16\n\tasrs %4, %4, #16\n\tadds %2, %2, %3\n\tadcs %1, %1, %4"
+            : "+l"(a), "+l"(b), "=&l"(al), "=&l"(bl), "=&l"(cross) : : "cc");
+    return (int64_t)((uint64_t)(uint32_t)b << 32 | al);
+}
+
+/* x / 2^shift, halves upwards; 1 <= shift <= 32 */
+static inline int32_t cairn_armv6m_narrow(int64_t x, int shift)
+{
+    uint32_t low = (uint32_t)x, high = (uint32_t)((uint64_t)x >> 32);
+    if (shift == 32) { return (int32_t)(high + (low >> 31)); }
+    high <<= 32 - shift;
+    __asm__(".syntax unified\n\tlsrs %1, %1, %2\n\tadcs %0, %0, %1" : "+l"(high), "+l"(low) : "lN"(shift) : "cc");
+    return (int32_t)high;
+}
+
+/* a b + c d in two words, then over 2^shift. Products one by one take half the bytes, but a fifth more instructions. */
 static inline int32_t cairn_armv6m_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
 {
+    if (CAIRN_SMALL) { return cairn_armv6m_narrow(cairn_armv6m_times(a, b) + cairn_armv6m_times(c, d), shift); }
     uint32_t low, high, dl, cross;
     __asm__(".syntax unified\n\t"
             "uxth %2, %0\n\tasrs %0, %0, #16\n\tuxth %3, %1\n\tasrs %1, %1, #16\n\t"
@@ -72,10 +96,7 @@ static inline int32_t cairn_armv6m_dot32(int32_t a, int32_t b, int32_t c, int32_
                 "lsls %4, %6, #16\n\tasrs %6, %6, #16\n\tadds %2, %2, %4\n\tadcs %3, %3, %6"
                 : "+l"(c), "+l"(d), "+l"(low), "+l"(high), "=&l"(cl), "=&l"(dl), "=&l"(cross) : : "cc");
     }
-    if (shift == 32) { return (int32_t)(high + (low >> 31)); }
-    high <<= 32 - shift;
-    __asm__(".syntax unified\n\tlsrs %1, %1, %2\n\tadcs %0, %0, %1" : "+l"(high), "+l"(low) : "lN"(shift) : "cc");
-    return (int32_t)high;
+    return cairn_armv6m_narrow((int64_t)((uint64_t)high << 32 | low), shift);
 }
 
 #else
@@ -98,9 +119,13 @@ static inline uint64_t cairn_armv6m_product(uint32_t a, uint32_t b)
     return (uint64_t)high << 32 | outer << 16 | (uint16_t)low;
 }
 
+static inline int64_t cairn_armv6m_times(int32_t a, int32_t b) { return (int64_t)a * b; }
+
+static inline int32_t cairn_armv6m_narrow(int64_t x, int shift) { return (int32_t)((x + ((int64_t)1 << (shift - 1))) >> shift); }
+
 static inline int32_t cairn_armv6m_dot32(int32_t a, int32_t b, int32_t c, int32_t d, int shift)
 {
-    return (int32_t)(((int64_t)a * b + (int64_t)c * d + ((int64_t)1 << (shift - 1))) >> shift);
+    return cairn_armv6m_narrow(cairn_armv6m_times(a, b) + cairn_armv6m_times(c, d), shift);
 }
 #endif
 
@@ -123,6 +148,7 @@ CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_dot16(int32_t a, int32_t b, int32_t c, 
 
 static inline int32_t cairn_armv6m_mul32(int32_t a, int32_t b, int shift)
 {
+    if (CAIRN_SMALL) { return cairn_armv6m_narrow(cairn_armv6m_times(a, b), shift); }
     /* high 2^32 + outer 2^16 + the low half of low; inner and outer are at most 2^15 (2^16 - 1) in size */
     uint32_t low = (uint32_t)cairn_armv6m_low(a) * (uint32_t)cairn_armv6m_low(b);
     int32_t inner = (a >> 16) * cairn_armv6m_low(b) + (int32_t)(low >> 16);
