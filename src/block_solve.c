@@ -23,7 +23,8 @@
 /* Two bits more for the scaled vectors than a motion has. */
 #define GUARD_BITS 2
 
-static inline int at(int row, int column) { return row * (row + 1) / 2 + column; }
+/* Where a row of the lower triangle ends, on the diagonal. In the same column the entry of a row lies as many places behind that of the row before as its number. */
+static inline int corner(int row) { return row * (row + 3) / 2; }
 
 /* ---- the matrix ---- */
 
@@ -34,21 +35,18 @@ static cairn_unit through(const cairn_block_body *body, const cairn_block_row *r
     return cairn_unit_coupling(moves ? r->x : 0, moves ? r->y : 0, jr, c->x, c->y, jc, body->inverse, exponent);
 }
 
+/* Over both ends of both: what pushes one and pulls the other counts against it. */
 static cairn_unit couple(const cairn_block *block, const cairn_block_row *r, const cairn_block_row *c, int exponent)
 {
     const cairn_block_arbiter *row = &block->arbiters[r->arbiter], *column = &block->arbiters[c->arbiter];
     cairn_unit sum = 0;
-    if (row->a == column->a) {
-        sum += through(&block->bodies[row->a], r, r->lever_a, c, c->lever_a, exponent);
-    }
-    if (row->b == column->b) {
-        sum += through(&block->bodies[row->b], r, r->lever_b, c, c->lever_b, exponent);
-    }
-    if (row->a == column->b) {
-        sum -= through(&block->bodies[row->a], r, r->lever_a, c, c->lever_b, exponent);
-    }
-    if (row->b == column->a) {
-        sum -= through(&block->bodies[row->b], r, r->lever_b, c, c->lever_a, exponent);
+    for (unsigned ends = 4; ends > 0; ends--) { /* a and a, b and b, a and b, b and a */
+        bool at_b = (ends & 1) != 0, to_b = (ends & 2) != 0;
+        uint8_t body = at_b ? row->b : row->a;
+        if (body == (to_b ? column->b : column->a)) {
+            cairn_unit part = through(&block->bodies[body], r, at_b ? r->lever_b : r->lever_a, c, to_b ? c->lever_b : c->lever_a, exponent);
+            sum += at_b == to_b ? part : -part;
+        }
     }
     return sum;
 }
@@ -109,8 +107,10 @@ void cairn_block_evaluate(cairn_block *block)
 
 /* ---- equations of the free rows ---- */
 
+CAIRN_ONCE cairn_block_row *free_row(cairn_block *block, int n) { return &block->rows[block->factors.rows[n]]; }
+
 /* Which rows are free; false if the factors are those of other ones. */
-static bool collect(const cairn_block *block, cairn_block_factors *f)
+CAIRN_ONCE bool collect(const cairn_block *block, cairn_block_factors *f)
 {
     bool same = true;
     int count = 0;
@@ -125,16 +125,17 @@ static bool collect(const cairn_block *block, cairn_block_factors *f)
     return same && f->valid;
 }
 
-static void fill(const cairn_block *block, cairn_block_factors *f)
+static void fill(cairn_block *block, cairn_block_factors *f)
 {
+    cairn_unit *entry = f->column;
     for (int n = 0; n < f->count; n++) {
-        const cairn_block_row *r = &block->rows[f->rows[n]];
+        const cairn_block_row *r = free_row(block, n);
         for (int k = 0; k < n; k++) {
-            const cairn_block_row *c = &block->rows[f->rows[k]];
-            f->column[at(n, k)] = couple(block, r, c, -r->scale - c->scale);
+            const cairn_block_row *c = free_row(block, k);
+            *entry++ = couple(block, r, c, -r->scale - c->scale);
         }
         cairn_unit d = block->diagonal[f->rows[n]];
-        f->column[at(n, n)] = d + (r->kind == CAIRN_ROW_SOFT ? cairn_unit_scale(d, block->softness, 0) : 0) + PROXIMAL;
+        *entry++ = d + (r->kind == CAIRN_ROW_SOFT ? cairn_unit_scale(d, block->softness, 0) : 0) + PROXIMAL;
     }
 }
 
@@ -142,55 +143,63 @@ static void fill(const cairn_block *block, cairn_block_factors *f)
 CAIRN_ONCE void factorise(cairn_block_factors *f)
 {
     for (int j = 0; j < f->count; j++) {
-        cairn_unit d = f->column[at(j, j)];
-        d = d < PROXIMAL / 2 ? PROXIMAL / 2 : d; /* by rounding only */
+        const cairn_unit *below = &f->column[corner(j)];
+        cairn_unit d = *below < PROXIMAL / 2 ? PROXIMAL / 2 : *below; /* by rounding only */
         int room = cairn_unit_room(d);
         f->inverse[j] = cairn_wide_inverse(cairn_wide_from_unit(d));
         for (int k = j + 1; k < f->count; k++) {
-            cairn_unit below = f->column[at(k, j)];
-            if (below == 0) {
+            below += k;
+            if (*below == 0) {
                 continue;
             }
-            cairn_unit l = cairn_unit_scale(below, f->inverse[j], -room); /* at most 2, as below^2 <= d */
+            cairn_unit l = cairn_unit_scale(*below, f->inverse[j], -room); /* at most 2, as below^2 <= d */
+            const cairn_unit *from = below - k;
+            cairn_unit *to = &f->column[corner(k) - k];
             for (int i = k; i < f->count; i++) {
-                f->column[at(i, k)] -= cairn_unit_mul(cairn_unit_grow(f->column[at(i, j)], room), l);
+                from += i;
+                to += i;
+                *to -= cairn_unit_mul(cairn_unit_grow(*from, room), l);
             }
         }
     }
 }
 
 /* Residuals become the changes of the impulses, scaled until the end. */
-CAIRN_ONCE void substitute(const cairn_block_factors *f, cairn_block_row *rows)
+static void substitute(cairn_block *block, const cairn_block_factors *f)
 {
     for (int j = 0; j < f->count; j++) {
-        cairn_block_row *row = &rows[f->rows[j]];
+        cairn_block_row *row = free_row(block, j);
         row->residual = cairn_push_shift(-row->residual, GUARD_BITS - row->scale);
     }
     for (int j = 0; j < f->count; j++) {
-        cairn_push x = cairn_push_scale(rows[f->rows[j]].residual, f->inverse[j]);
-        rows[f->rows[j]].residual = x;
+        cairn_block_row *row = free_row(block, j);
+        const cairn_unit *below = &f->column[corner(j)];
+        row->residual = cairn_push_scale(row->residual, f->inverse[j]);
         for (int i = j + 1; i < f->count; i++) {
-            rows[f->rows[i]].residual -= cairn_push_unit(x, f->column[at(i, j)]);
+            below += i;
+            free_row(block, i)->residual -= cairn_push_unit(row->residual, *below);
         }
     }
     for (int j = f->count - 1; j >= 0; j--) {
+        cairn_block_row *row = free_row(block, j);
+        const cairn_unit *below = &f->column[corner(j)];
         cairn_push sum = 0;
         for (int i = j + 1; i < f->count; i++) {
-            sum += cairn_push_unit(rows[f->rows[i]].residual, f->column[at(i, j)]);
+            below += i;
+            sum += cairn_push_unit(free_row(block, i)->residual, *below);
         }
-        cairn_push x = rows[f->rows[j]].residual - cairn_push_scale(sum, f->inverse[j]);
-        rows[f->rows[j]].residual = cairn_push_clamp(x, CAIRN_PUSH_MAX);
+        row->residual = cairn_push_clamp(row->residual - cairn_push_scale(sum, f->inverse[j]), CAIRN_PUSH_MAX);
     }
     for (int j = 0; j < f->count; j++) {
-        cairn_block_row *row = &rows[f->rows[j]];
+        cairn_block_row *row = free_row(block, j);
         row->residual = cairn_push_shift(row->residual, -GUARD_BITS - row->scale);
     }
 }
 
-static bool is_met(const cairn_block_factors *f, const cairn_block *block)
+static bool is_met(cairn_block *block)
 {
-    for (int j = 0; j < f->count; j++) {
-        cairn_push residual = block->rows[f->rows[j]].residual;
+    for (int j = 0; j < block->factors.count; j++) {
+        cairn_push residual = free_row(block, j)->residual;
         if (residual > ROUNDING || residual < -ROUNDING) {
             return false;
         }
@@ -199,19 +208,19 @@ static bool is_met(const cairn_block_factors *f, const cairn_block *block)
 }
 
 /* Bring the free rows' residuals to zero. */
-CAIRN_ONCE void solve_free(cairn_block *block)
+static void solve_free(cairn_block *block)
 {
     cairn_block_factors *f = &block->factors;
     f->valid = collect(block, f);
-    if (!is_met(f, block) && !f->valid) {
+    if (!f->valid && !is_met(block)) {
         fill(block, f);
         factorise(f);
         f->valid = true;
     }
-    for (int i = 0; i < REFINEMENTS && !is_met(f, block); i++) {
-        substitute(f, block->rows);
+    for (int i = 0; i < REFINEMENTS && !is_met(block); i++) {
+        substitute(block, f);
         for (int j = 0; j < f->count; j++) {
-            cairn_block_row *row = &block->rows[f->rows[j]];
+            cairn_block_row *row = free_row(block, j);
             cairn_block_press(block, row, cairn_push_clamp(row->impulse + row->residual, CAIRN_PUSH_MAX) - row->impulse);
         }
         cairn_block_evaluate(block);
