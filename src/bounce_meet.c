@@ -101,42 +101,20 @@ static cairn_offset fall(const cairn_impact *i, cairn_motion g, cairn_unit time)
     return cairn_offset_from_motion(cairn_motion_half(cairn_motion_unit(cairn_motion_unit(g, time), time) - g * i->substep));
 }
 
-static course course_until(const cairn_impact *i, cairn_unit time)
+/* Until a time of this sub-step; or, at its end, as the sweeps will see it: half a sub-step's fall farther down for each so far. */
+CAIRN_ONCE course course_at(const cairn_impact *i, cairn_unit time, bool of_sweeps)
 {
     const cairn_body *a = i->a, *b = i->b;
     course c;
-    c.x = way(b->dx, b->vx, time) - way(a->dx, a->vx, time) + fall(i, i->gx, time);
-    c.y = way(b->dy, b->vy, time) - way(a->dy, a->vy, time) + fall(i, i->gy, time);
+    c.x = way(b->dx, of_sweeps ? b->vx + i->gx : b->vx, time) - way(a->dx, a->vx, time) + (of_sweeps ? 0 : fall(i, i->gx, time));
+    c.y = way(b->dy, of_sweeps ? b->vy + i->gy : b->vy, time) - way(a->dy, a->vy, time) + (of_sweeps ? 0 : fall(i, i->gy, time));
     c.turn_a = way(a->dw, a->w, time);
     c.turn_b = way(b->dw, b->w, time);
     return c;
 }
-
-/* The same until this sub-step's start. */
-static course course_so_far(const cairn_impact *i)
-{
-    const cairn_body *a = i->a, *b = i->b;
-    course c;
-    c.x = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx) + fall(i, i->gx, 0);
-    c.y = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy) + fall(i, i->gy, 0);
-    c.turn_a = cairn_offset_from_motion(a->dw);
-    c.turn_b = cairn_offset_from_motion(b->dw);
-    return c;
-}
-
-static cairn_offset way_of_sweeps(cairn_motion d, cairn_motion v) { return cairn_offset_from_motion(cairn_motion_add(d, v)); }
-
-/* As the sweeps will see it at the end of this sub-step: half a sub-step's fall farther down for each so far. */
-static course course_of_sweeps(const cairn_impact *i)
-{
-    const cairn_body *a = i->a, *b = i->b;
-    course c;
-    c.x = way_of_sweeps(b->dx, b->vx + i->gx) - way_of_sweeps(a->dx, a->vx);
-    c.y = way_of_sweeps(b->dy, b->vy + i->gy) - way_of_sweeps(a->dy, a->vy);
-    c.turn_a = way_of_sweeps(a->dw, a->w);
-    c.turn_b = way_of_sweeps(b->dw, b->w);
-    return c;
-}
+static course course_until(const cairn_impact *i, cairn_unit time) { return course_at(i, time, false); }
+static course course_so_far(const cairn_impact *i) { return course_at(i, 0, false); }
+static course course_of_sweeps(const cairn_impact *i) { return course_at(i, CAIRN_UNIT(1), true); }
 
 /* How far a course has opened a row. */
 static cairn_motion opened(const cairn_impact *i, const cairn_row *row, const course *c)
