@@ -28,8 +28,9 @@ static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_sto
     return status;
 }
 
-static cairn_body_id make_body(const cairn_scene *scene, cairn_world *world, const cairn_scene_body *entry)
+cairn_body_id cairn_scene_add_body(const cairn_scene *scene, cairn_world *world, uint16_t place)
 {
+    const cairn_scene_body *entry = &scene->bodies[place];
     const cairn_body_model *model = entry->model < scene->model_count ? &scene->models[entry->model] : NULL;
     cairn_body_id id = cairn_body_create(world, model, entry->position, entry->angle);
     if (!cairn_body_id_is_null(id) && model->type != CAIRN_STATIC) {
@@ -79,7 +80,7 @@ cairn_world *cairn_scene_build(const cairn_scene *scene, const cairn_scene_stora
         return NULL;
     }
     for (uint16_t i = 0; i < scene->body_count; i++) {
-        cairn_body_id id = make_body(scene, world, &scene->bodies[i]);
+        cairn_body_id id = cairn_scene_add_body(scene, world, i);
         if (cairn_body_id_is_null(id)) {
             *error = cairn_world_error(world);
             *place = i;

@@ -62,6 +62,9 @@ typedef struct cairn_scene_storage {
 cairn_world *cairn_scene_build(const cairn_scene *scene, const cairn_scene_storage *storage, cairn_body_id *ids,
                                cairn_spring_id *spring_ids, cairn_status *error, int *place);
 
+/* One more of the table's bodies; the table may have some behind the first body_count, for later. The null id on error. */
+cairn_body_id cairn_scene_add_body(const cairn_scene *scene, cairn_world *world, uint16_t place);
+
 #ifdef __cplusplus
 }
 #endif

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from cairn_tools import engine, scene, trim
+from cairn_tools import engine, footprint_record, scene, trim
 from cairn_tools.errors import UserError
 
 ROOT = Path(__file__).parents[2]
@@ -101,13 +101,35 @@ def test_an_unknown_field_gives_one_line_and_writes_nothing(tmp_path: Path) -> N
     assert not (tmp_path / "trimmed").exists()
 
 
-def test_the_trimmed_tower_is_smaller_with_the_same_bits(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["tower", "balls50", "curtain150"])
+def test_pools_of_known_scenes_take_at_least_30_percent_less(name: str) -> None:
+    types = {kind.removeprefix("cairn_"): size for kind, size in footprint_record.read()["types"].items()}
+    fixed, body, arbiter = footprint_record.world_bytes({f"cairn_{kind}": size for kind, size in types.items()})
+    found, bodies = needs(name, wish=replace(WISH, steps=120)).pools, len(named(name).bodies)
+    springs = found.get("springs", 0) * types["spring"]
+    before = fixed + bodies * body + (4 * bodies + 16) * arbiter + springs  # as tools/runner gives it
+    after = fixed + found["bodies"] * body + found["arbiters"] * arbiter + springs
+    assert after <= 0.7 * before
+
+
+def test_the_trimmed_tower_and_a_recorded_run_of_it_are_smaller_with_the_same_bits(tmp_path: Path) -> None:
+    file = tmp_path / "visit.jsonl"
+    bodies = len(named("tower").bodies)
+    spawn = {"step": 2, "spawn": {"shape": "column", "position": [20, 20]}}
+    impulse, remove = {"step": 4, "impulse": [0.5, 1], "body": bodies}, {"step": 15, "remove": bodies - 1}
+    lines = [{"cairn_run": 1, "scene": "tower"}, spawn, impulse, remove]
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    scenes = [named("tower"), trim.load(str(file))]
     wish = replace(WISH, steps=20)
-    _, (row,) = trim.trim([named("tower")], wish, tmp_path / "trimmed", print)
-    assert row.before.hash == row.after.hash == engine.run(named("tower"), "q16", "host", 20, 0).hash
-    assert row.ram_saved >= 0.3
-    assert row.flash_saved > 0
-    names = {"cairn_trim.h", "cairn_trim_scenes.h", "scene.c", "scene_tower.c", "trim.cmake", "SUMMARY.json"}
+    _, rows = trim.trim(scenes, wish, tmp_path / "trimmed", print)
+    for loaded, row in zip(scenes, rows, strict=True):
+        assert row.before.hash == row.after.hash == engine.run(loaded, "q16", "host", 20, 0).hash
+        assert row.ram_saved >= 0.3
+        assert row.flash_saved > 0
+    row = rows[0]
+    assert row.after.hash != rows[1].after.hash
+    tables = {"scene.c", "scene_tower.c", "scene_visit.c"}
+    names = {"cairn_trim.h", "cairn_trim_scenes.h", *tables, "trim.cmake", "SUMMARY.json"}
     assert {file.name for file in (tmp_path / "trimmed").iterdir()} == names
     with pytest.raises(UserError, match="bytes of flash"):
         trim._check_limits([row.after], replace(wish, flash=100))

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from .errors import UserError
-from .scene import Scene
+from .scene import EVENT_KINDS, Play, Scene
 from .trajectory import Trajectory
 
 ROOT = Path(__file__).parents[2]
@@ -85,7 +85,30 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
             build_image(scene, target, image)
             return run_built(scene, target, image, steps, every)
     command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *_words(scene, steps, every)]
-    return _parse(_output_of(command, scene, None), scene, Run(arithmetic, target, steps, _no_states(scene)))
+    with _played(scene, arithmetic) as words:
+        output = _output_of([*command, *words], scene, None)
+    return _parse(output, scene, Run(arithmetic, target, steps, _no_states(scene)))
+
+
+@contextmanager
+def _played(scene: Scene, arithmetic: str) -> Iterator[list[str]]:
+    """The host's word for what happens in a recorded run."""
+    if scene.play is None:
+        yield []
+        return
+    with tempfile.NamedTemporaryFile("w", prefix="cairn-", encoding="utf-8") as file:
+        file.write(numbers_of(scene.play, arithmetic))
+        file.flush()
+        yield [f"play={file.name}"]
+
+
+def numbers_of(play: Play, arithmetic: str) -> str:
+    """A recorded run as tools/runner/host_play.h reads it."""
+    lines = [f"{play.present} {len(play.events)}"]
+    for event in play.events:
+        x, y = (value if arithmetic == "f64" else round(value * 65536) for value in event.value)
+        lines.append(f"{event.step} {EVENT_KINDS.index(event.kind)} {event.body} {x!r} {y!r}")
+    return "\n".join([*lines, ""])
 
 
 def run_built(scene: Scene, target: str, image: Path, steps: int, every: int) -> Run:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from dataclasses import dataclass, field, replace
@@ -104,6 +105,33 @@ class Spring:
     collide: bool = True
 
 
+EVENT_KINDS = ("spawn", "remove", "impulse", "velocity")  # in the order of cairn_scene_event_kind
+
+
+@dataclass(frozen=True)
+class Event:
+    """Of a recorded run, after so many steps: spawn, remove, impulse (N s) or velocity (m/s) of a body."""
+
+    step: int
+    kind: str
+    body: int
+    value: Point = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Play:
+    """What a game does while its scene runs: so many of the bodies are there at the start, the others are spawned."""
+
+    present: int
+    events: tuple[Event, ...]
+
+    @property
+    def most(self) -> int:
+        """Bodies at a time."""
+        changes = [(event.kind == "spawn") - (event.kind == "remove") for event in self.events]
+        return max(itertools.accumulate([self.present, *changes]))
+
+
 @dataclass(frozen=True)
 class Scene:
     name: str
@@ -119,6 +147,7 @@ class Scene:
     passes: int = 10
     broad_phase: str = "pairs"
     sleep: bool = False
+    play: Play | None = None  # of a recorded run, see trim_recording.py
 
     def material(self, name: str) -> Material:
         return self.materials[name] if name in self.materials else PRESETS[name]
@@ -170,7 +199,7 @@ def parse(text: str, path: Path) -> Scene:
     except RecursionError as error:
         raise FieldError("(file)", "not a scene: nested too deeply") from error
     _check_finite(data, [])
-    _check_schema(data)
+    check_against(json.loads(SCHEMA_FILE.read_text(encoding="utf-8")), data)
     return _build(data, path)
 
 
@@ -215,13 +244,13 @@ def _check_finite(value: Any, path: list[Any]) -> None:
         _check_finite(item, [*path, key])
 
 
-def _check_schema(data: Any) -> None:
+def check_against(schema: dict[str, Any], data: Any) -> None:
+    """Raises FieldError with the first thing that is wrong."""
     # jsonschema calls 4.0 an integer; an index or a count is written without a point here.
     types = jsonschema.Draft202012Validator.TYPE_CHECKER.redefine(
         "integer", lambda _, value: isinstance(value, int) and not isinstance(value, bool)
     )
     validator = jsonschema.validators.extend(jsonschema.Draft202012Validator, type_checker=types)
-    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
     errors = sorted(validator(schema).iter_errors(data), key=lambda e: [str(p).zfill(8) for p in e.absolute_path])
     if errors:
         error = errors[0]
@@ -256,6 +285,9 @@ def _explained(error: jsonschema.ValidationError, path: list[Any]) -> tuple[list
             return path, f"must have at least {limit} entries, not {len(value)}"
         case "maxItems":
             return path, f"must have at most {limit} entries, not {len(value)}"
+        case "dependentRequired":
+            missing = next(key for field, needs in limit.items() if field in value for key in needs if key not in value)
+            return [*path, missing], "missing"
         case "minProperties" | "maxProperties":
             return path, f"must have exactly one of {', '.join(error.schema['properties'])}"
         case "pattern" | "minLength" | "maxLength":

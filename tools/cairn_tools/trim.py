@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from . import engine, footprint, trim_files
+from . import engine, footprint, trim_files, trim_findings, trim_recording
+from . import scene as scene_model
 from .errors import UserError
 from .scene import Scene, Shape
 
@@ -26,7 +27,9 @@ UNEVEN = 30  # bodies of more than so many times one another's mass get memory f
 FAST = 0.25  # of its smallest half size in a step: then continuous.c watches a body
 REFERENCE_SUBSTEPS = 16
 LARGEST_POOL = 65000
+BYTES_OF_ID = 4
 BROADS = ("pairs", "quadtree")
+WORTH = 0.02  # of the instructions, that the quadtree must save
 
 Say = Callable[[str], None]
 
@@ -62,6 +65,8 @@ class Needs:
     options: dict[str, int] = field(default_factory=dict)
     why: dict[str, str] = field(default_factory=dict)
     pools: dict[str, int] = field(default_factory=dict)
+    found: list[trim_findings.Finding] = field(default_factory=list)
+    comes_and_goes: bool = False  # bodies are spawned
 
 
 @dataclass(frozen=True)
@@ -87,6 +92,8 @@ class Trimmed:
 def trim(scenes: list[Scene], wish: Wish, out: Path, say: Say) -> tuple[Needs, list[Trimmed]]:
     """Writes the folder, if the trimmed build gives the same bits as the full one."""
     names = [identifier(scene) for scene in scenes]
+    for scene in scenes:
+        _check_length(scene, wish)
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise UserError(f"two scenes of the name {twice}")
     with engine.lock("trim"):
@@ -116,6 +123,21 @@ def trim(scenes: list[Scene], wish: Wish, out: Path, say: Say) -> tuple[Needs, l
         except OSError as error:
             raise UserError(f"{out}: {error.strerror or error}") from error
     return needs, result
+
+
+def load(name: str) -> Scene:
+    """A scene's file or name, or a recorded run's file."""
+    if not name.endswith(trim_recording.ENDING):
+        return scene_model.load(scene_model.find(name))
+    folder = engine.BUILDS / "trim"
+    folder.mkdir(parents=True, exist_ok=True)
+    return trim_recording.load(Path(name), folder)
+
+
+def _check_length(scene: Scene, wish: Wish) -> None:
+    last = max((event.step for event in scene.play.events), default=-1) if scene.play else -1
+    if last >= wish.steps:
+        raise UserError(f"{scene.name}: its last event is after {last} steps: --steps must be more, not {wish.steps}")
 
 
 def identifier(scene: Scene) -> str:
@@ -155,13 +177,13 @@ def _positions(scene: Scene, arithmetic: str, steps: int) -> np.ndarray:
 
 
 def choose_broad(full: Builder, scenes: list[Scene], folder: Path) -> tuple[list[Scene], list[Image]]:
-    """By fewer instructions on the M0; a tree that costs as much is not worth its memory. All scenes take the same."""
+    """By fewer instructions on the M0; a tree that saves next to nothing is not worth its memory. The same for all."""
     runs = {}
     for broad in BROADS:
         tried = [_rewritten(replace(scene, broad_phase=broad), folder) for scene in scenes]
         runs[broad] = (tried, full.run(tried))
     means = {broad: sum(image.mean for image in images) for broad, (_, images) in runs.items()}
-    return runs["quadtree" if means["quadtree"] < means["pairs"] else "pairs"]
+    return runs["quadtree" if means["quadtree"] < (1 - WORTH) * means["pairs"] else "pairs"]
 
 
 # ---- what is needed ----
@@ -195,6 +217,8 @@ def needs_of(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> Needs:
     reason = f"polygons have up to {corners} corners" if corners else "no polygons; a box has four"
     needs.why["CAIRN_MAX_VERTICES"] = reason
     needs.pools = _pools(scenes, runs, wish)
+    needs.comes_and_goes = any(scene.play for scene in scenes)
+    needs.found = trim_findings.findings(scenes, runs, wish.margin)
     return needs
 
 
@@ -207,7 +231,7 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
         "CONTINUOUS": lambda: way * (1 + wish.margin / 100) > FAST and f"{way:.0%} of a smallest half size in a step",
         "BLOCKS": lambda: _unevenness(scene) > UNEVEN and f"masses differ by {_unevenness(scene):.3g} times",
         "SLEEP": lambda: scene.sleep and "sleep is on",
-        "QUADTREE": lambda: scene.broad_phase == "quadtree" and "takes fewer instructions than all pairs",
+        "QUADTREE": lambda: scene.broad_phase == "quadtree" and "it saves 2 % of the instructions or more",
         "SLIDES_SOLVER": lambda: scene.solver == "slides" and "the slides' solver",
         "FIXED_POSITION": lambda: any(body.fixed_position for body in scene.bodies) and "bodies of fixed position",
         "SENSORS": lambda: any(body.sensor for body in scene.bodies) and "sensors",
@@ -247,13 +271,13 @@ def _unevenness(scene: Scene) -> float:
 
 
 def _pools(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> dict[str, int]:
-    """Bodies and springs are as many as there are; what comes and goes gets the margin."""
+    """Bodies and springs are as many as there are, unless bodies are spawned; what comes and goes gets the margin."""
 
     def most(name: str) -> int:
-        peak = max(int(run.statistics[name]) for run in runs)
-        return max(1, math.ceil(peak * (1 + wish.margin / 100)))
+        return _roomy(max(int(run.statistics[name]) for run in runs), wish)
 
-    pools = {"bodies": max(len(scene.bodies) for scene in scenes), "arbiters": most("most_arbiters")}
+    bodies = max(_roomy(scene.play.most, wish) if scene.play else len(scene.bodies) for scene in scenes)
+    pools = {"bodies": bodies, "arbiters": most("most_arbiters")}
     if any(scene.springs for scene in scenes):
         pools["springs"] = max(len(scene.springs) for scene in scenes)
     if scenes[0].broad_phase == "quadtree":
@@ -261,6 +285,10 @@ def _pools(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> dict[str,
     if over := next((name for name, count in pools.items() if count > LARGEST_POOL), None):
         raise UserError(f"{scenes[0].path}: needs a pool of {pools[over]} {over}; at most {LARGEST_POOL}")
     return pools
+
+
+def _roomy(peak: int, wish: Wish) -> int:
+    return max(1, math.ceil(peak * (1 + wish.margin / 100)))
 
 
 # ---- the images ----
@@ -280,7 +308,8 @@ class Builder:
         for scene in scenes:
             name = identifier(scene)
             file = self.folder / f"{name}-table.c"
-            file.write_text(engine.table(scene, f"scene_{name}"), encoding="utf-8")
+            table = engine.table(scene, f"scene_{name}")
+            file.write_text(trim_recording.cut(table, scene.play) if scene.play else table, encoding="utf-8")
             tables.append(f"{name}:{file}")
         return self._images(scenes, f"-DTABLES={';'.join(tables)}")
 
@@ -288,6 +317,12 @@ class Builder:
         return self._images(scenes, f"-DTRIM={trimmed}", f"-DNAMES={';'.join(map(identifier, scenes))}")
 
     def _images(self, scenes: list[Scene], *settings: str) -> list[Image]:
+        plays = [scene for scene in scenes if scene.play]
+        for scene in plays:
+            name = identifier(scene)
+            table = trim_recording.table(scene.play, f"play_{name}", len(scene.bodies))
+            (self.folder / f"{name}-play.c").write_text(table, encoding="utf-8")
+        settings = (*settings, f"-DPLACE={self.folder}", f"-DPLAYS={';'.join(map(identifier, plays))}")
         toolchain = engine.ROOT / "cmake" / f"toolchain-{CORE}.cmake"
         engine.check_build(engine.cmake("-S", str(PROJECT), "-B", str(self.place), "-G", "Ninja",
                                         f"-DCMAKE_TOOLCHAIN_FILE={toolchain}", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
@@ -303,6 +338,7 @@ class Builder:
     def _image(self, scene: Scene, without: tuple[int, int]) -> Image:
         file = self.place / f"game_{identifier(scene)}.elf"
         flash, ram = (size - other for size, other in zip(footprint.sizes(file), without, strict=True))
+        ram -= BYTES_OF_ID * len(scene.bodies) if scene.play else 0  # the ids are the game's
         output = engine.run_image(scene, CORE, file, [], timeout=120 + self.steps)
         said = dict(line.split() for line in output.splitlines())
         if said.get("dropped") != "0":

@@ -9,13 +9,15 @@ from typing import Annotated
 import typer
 from rich.table import Table
 
-from . import scene, trim, trim_files
+from . import trim, trim_files
 from .errors import UserError
 from .terminal import JsonOption, out, working
 
 
 def command(
-    scene_files: Annotated[list[str], typer.Argument(metavar="SCENE.json...", help="Or names in examples/scenes.")],
+    scene_files: Annotated[
+        list[str], typer.Argument(metavar="SCENE.json...", help="Or names in examples/scenes; recorded runs, *.jsonl.")
+    ],
     folder: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the files go.")],
     steps: Annotated[int, typer.Option(min=1, max=100_000, help="How long each scene is run.")] = 600,
     margin: Annotated[float, typer.Option(min=0, max=1000, help="Percent beyond the most that the runs needed.")] = 20,
@@ -35,7 +37,7 @@ def command(
         raise UserError(f"--tolerance {tolerance:g}: must be above zero")
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{folder}: is no folder")
-    scenes = [scene.load(scene.find(name)) for name in scene_files]
+    scenes = [trim.load(name) for name in scene_files]
     wish = trim.Wish(steps, margin, tolerance, tuple(keep or ()), flash, ram)
     with working("trim") as say:
         needs, result = trim.trim(scenes, wish, folder, say)
@@ -43,7 +45,8 @@ def command(
         print(json.dumps(trim_files.record(needs, result, wish), indent=2))
         return
     out.print(_sizes(result))
-    out.print(_choices(needs, result))
+    out.print(_findings(needs))
+    out.print(_choices(needs, result, margin))
 
 
 def _sizes(result: list[trim.Trimmed]) -> Table:
@@ -62,18 +65,27 @@ def _sizes(result: list[trim.Trimmed]) -> Table:
     return grid
 
 
-def _choices(needs: trim.Needs, result: list[trim.Trimmed]) -> Table:
+def _findings(needs: trim.Needs) -> Table:
+    grid = Table(title="Found", caption="in all scenes, through all steps")
+    for column in ("what", "found", "what comes of it"):
+        grid.add_column(column)
+    for finding in needs.found:
+        grid.add_row(finding.what, finding.found, finding.use)
+    return grid
+
+
+def _choices(needs: trim.Needs, result: list[trim.Trimmed], margin: float) -> Table:
     grid = Table(title="How", caption="in cairn_trim.h and scene.c")
     for column in ("option", "value", "because"):
         grid.add_column(column, justify="right" if column == "value" else "left")
     for row in result:
         off = "as in the file" if row.error is None else f"{row.error:.2g} m off, within the tolerance"
         grid.add_row(f"sub-steps of {row.name}", str(row.substeps), off)
-    grid.add_row("pairs by", result[0].broad_phase, "takes the fewest instructions")
+    grid.add_row("pairs by", result[0].broad_phase, "fewest instructions; the quadtree if it saves 2 %")
     for name, value in needs.options.items():
         grid.add_row(name, str(value), needs.why[name])
     for name, count in needs.pools.items():
-        fixed = name in ("bodies", "springs")
-        why = "as many as there are" if fixed else "the most that the runs needed, and the margin"
+        fixed = name == "springs" or (name == "bodies" and not needs.comes_and_goes)
+        why = "as many as there are" if fixed else f"the most that the runs needed, and {margin:g} %"
         grid.add_row(f"pool of {name}", str(count), why)
     return grid

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import engine
+from . import engine, trim_recording
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -26,6 +26,8 @@ def write(folder: Path, scenes: list[Scene], needs: Needs, wish: Wish) -> None:
     (folder / "cairn_trim.h").write_text(_header(needs, by), encoding="utf-8")
     for scene, name in zip(scenes, names, strict=True):
         table = engine.table(scene, f"scene_{name}").partition(POOLS_FROM)[0]
+        if scene.play:
+            table = trim_recording.cut(table, scene.play)
         (folder / f"scene_{name}.c").write_text(table, encoding="utf-8")
     (folder / "cairn_trim_scenes.h").write_text(_scene_header(names, by), encoding="utf-8")
     pools = _pools(needs, f"{by}: {wish.steps} steps, {wish.margin:g} % more.")
@@ -85,4 +87,5 @@ def write_summary(folder: Path, needs: Needs, result: list[Trimmed], wish: Wish)
 
 def record(needs: Needs, result: list[Trimmed], wish: Wish) -> dict[str, object]:
     rows = [asdict(row) | {"flash_saved": row.flash_saved, "ram_saved": row.ram_saved} for row in result]
-    return {"asked": asdict(wish), "options": needs.options, "why": needs.why, "pools": needs.pools, "scenes": rows}
+    return {"asked": asdict(wish), "options": needs.options, "why": needs.why, "pools": needs.pools,
+            "found": [asdict(finding) for finding in needs.found], "scenes": rows}  # fmt: skip

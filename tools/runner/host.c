@@ -1,5 +1,6 @@
 /* The host's program: cairn-runner SCENE.json [WORD...], the words of runner.h. */
 #include "host_file.h"
+#include "host_play.h"
 #include "runner.h"
 #include "storage.h"
 
@@ -9,6 +10,8 @@
 #include <stdlib.h>
 
 enum { BAD_CALL = 2 };
+
+#define PLAY "play=" /* a word of the host's own */
 
 static void *room(size_t count, size_t size)
 {
@@ -68,9 +71,11 @@ static int run(const cairn_scene *scene, const runner_options *options)
 int main(int count, char **words)
 {
     runner_options options = runner_options_default();
+    cairn_scene_play play = { 0, NULL };
     for (int i = 2; i < count; i++) {
-        if (!runner_options_take(&options, words[i])) {
-            fprintf(stderr, "unknown word '%s'\n", words[i]);
+        const bool is_play = strncmp(words[i], PLAY, strlen(PLAY)) == 0;
+        if (is_play ? !host_read_play(words[i] + strlen(PLAY), &options, &play) : !runner_options_take(&options, words[i])) {
+            fprintf(stderr, "unknown word or no such play: '%s'\n", words[i]);
             return BAD_CALL;
         }
     }
@@ -85,5 +90,6 @@ int main(int count, char **words)
     }
     const int code = run(cairn_scene_file_table(file), &options);
     cairn_scene_file_free(file);
+    host_free_play(&play);
     return code;
 }

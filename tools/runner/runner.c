@@ -16,6 +16,9 @@ runner_options runner_options_default(void)
     options.rate = 0;
     options.broad = -1;
     options.sleep = -1;
+    options.present = 0;
+    options.play = NULL;
+    options.due = NULL;
     return options;
 }
 
@@ -129,7 +132,7 @@ static void print_state(cairn_world *world, const cairn_scene *scene, runner_mem
 
 /* What any step needed of the pools. */
 typedef struct runner_most {
-    uint16_t points, arbiters, cells, entries;
+    uint16_t bodies, points, arbiters, cells, entries;
     uint16_t kept; /* entries, and the pairs that the tree keeps behind them */
 } runner_most;
 
@@ -138,6 +141,7 @@ static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
 static void keep_most(runner_most *most, const cairn_world *world)
 {
     const cairn_world_stats *stats = cairn_world_get_stats(world);
+    most->bodies = larger(most->bodies, stats->bodies);
     most->points = larger(most->points, stats->points);
     most->arbiters = larger(most->arbiters, stats->arbiters);
     most->cells = larger(most->cells, stats->tree_cells);
@@ -150,6 +154,7 @@ static void print_stats(const cairn_world *world, const runner_most *most)
     const cairn_world_stats *stats = cairn_world_get_stats(world);
     print_number_line("stat arbiters", stats->arbiters);
     print_number_line("stat points", stats->points);
+    print_number_line("stat most_bodies", most->bodies);
     print_number_line("stat most_points", most->points);
     print_number_line("stat most_arbiters", most->arbiters);
     print_number_line("stat most_tree_cells", most->cells);
@@ -214,14 +219,18 @@ static cairn_scene with_options(const cairn_scene *scene, const runner_options *
 
 int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, runner_memory memory, const runner_options *options)
 {
-    const cairn_scene scene = with_options(given, options);
+    cairn_scene scene = with_options(given, options);
     cairn_status status = CAIRN_OK;
     int place = 0;
+    if (options->play != NULL) {
+        scene.body_count = options->present;
+    }
     cairn_world *world = cairn_scene_build(&scene, storage, memory.ids, NULL, &status, &place);
     if (world == NULL) {
         print_error("status", (int)status);
         return print_error("place", place);
     }
+    scene.body_count = given->body_count;
     cairn_print_text("start ");
     cairn_print_u32(scene.body_count);
     cairn_print_text(" ");
@@ -233,10 +242,18 @@ int runner_run(const cairn_scene *given, const cairn_scene_storage *storage, run
     }
     const uint32_t before = cairn_port_clock();
     const uint32_t clock_cost = cairn_port_clock() - before;
-    runner_most most = {0, 0, 0, 0, 0};
+    runner_most most = {0, 0, 0, 0, 0, 0};
+    uint32_t next = 0;
     cairn_port_stack_paint();
     for (uint32_t step = 0; step <= options->steps; step++) {
         if (step > 0) {
+            if (options->play != NULL) {
+                status = options->due(options->play, &scene, world, memory.ids, step - 1, &next);
+                if (status != CAIRN_OK) {
+                    print_error("status", (int)status);
+                    return print_error("event", (int)next);
+                }
+            }
             const uint32_t start = cairn_port_clock();
             status = cairn_world_step(world);
             const uint32_t cost = cairn_port_clock() - start - clock_cost;

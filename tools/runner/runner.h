@@ -18,7 +18,7 @@
 #define CAIRN_RUNNER_H
 
 #include "runner_number.h"
-#include "scene.h"
+#include "scene_play.h"
 
 /*
  * What a run is asked for, in words: steps=600 every=10 costs=1 contacts=1 solver=slides substeps=8 passes=20 rate=120
@@ -32,6 +32,10 @@ typedef struct runner_options {
     int solver;            /* a cairn_scene_solver; -1: the scene's own */
     uint32_t rate;         /* steps per second; 0: the scene's own */
     int broad, sleep;      /* a cairn_scene_broad, 0 or 1; -1: the scene's own */
+    uint16_t present;      /* of the scene's bodies are there at the start; the others come by play */
+    const cairn_scene_play *play; /* a recorded run, of the host alone, or null; and what plays it: */
+    cairn_status (*due)(const cairn_scene_play *play, const cairn_scene *scene, cairn_world *world, cairn_body_id *ids, uint32_t step,
+                        uint32_t *next);
 } runner_options;
 
 /* Memory of a run beside the world's, one of each per body of the scene. */

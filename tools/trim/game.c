@@ -12,6 +12,27 @@
 extern const cairn_scene SCENE;
 extern const cairn_scene_storage STORAGE;
 
+#ifdef PLAY
+#include "scene_play.h"
+
+extern const cairn_scene_play PLAY;
+extern cairn_body_id IDS[]; /* one a body of the table */
+
+static bool play(cairn_world *world, uint32_t step)
+{
+    static uint32_t next;
+    return cairn_scene_play_due(&PLAY, &SCENE, world, IDS, step, &next) == CAIRN_OK;
+}
+#else
+#define IDS NULL
+static bool play(const cairn_world *world, uint32_t step)
+{
+    (void)world;
+    (void)step;
+    return true;
+}
+#endif
+
 static void print_line(const char *name, uint32_t value)
 {
     cairn_print_text(name);
@@ -24,7 +45,7 @@ static int run(void)
 {
     cairn_status status = CAIRN_OK;
     int place = 0;
-    cairn_world *world = cairn_scene_build(&SCENE, &STORAGE, NULL, NULL, &status, &place);
+    cairn_world *world = cairn_scene_build(&SCENE, &STORAGE, IDS, NULL, &status, &place);
     if (world == NULL) {
         print_line("refused", (uint32_t)-(int)status);
         return 1;
@@ -35,6 +56,10 @@ static int run(void)
     uint32_t worst = 0;
     cairn_port_stack_paint();
     for (uint32_t step = 0; step < STEPS; step++) {
+        if (!play(world, step)) {
+            print_line("event fails at step", step);
+            return 1;
+        }
         const uint32_t start = cairn_port_clock();
         (void)cairn_world_step(world);
         const uint32_t cost = cairn_port_clock() - start - clock_cost;

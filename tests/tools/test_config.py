@@ -1,0 +1,43 @@
+"""include/cairn/config.h refuses what does not fit together, by #error."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FLAGS = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS",
+         "DAMPING")  # fmt: skip
+
+
+def complaint(*options: str) -> str:
+    command = ["gcc", "-std=c99", "-fsyntax-only", "-x", "c", f"-I{ROOT / 'include'}", "-"]
+    command += [f"-D{option}" for option in options]
+    done = subprocess.run(command, input="#include <cairn/cairn.h>\n", capture_output=True, text=True, check=False)
+    assert (done.returncode == 0) == (done.stderr == "")
+    return done.stderr
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_each_feature_is_on_or_off(name: str) -> None:
+    assert complaint(f"CAIRN_WITH_{name}=0") == ""
+    assert '#error "each CAIRN_WITH_... must be 0 or 1"' in complaint(f"CAIRN_WITH_{name}=2")
+
+
+@pytest.mark.parametrize("count", [3, 17, -1])
+def test_corners_are_four_to_sixteen(count: int) -> None:
+    assert '#error "CAIRN_MAX_VERTICES must be 4 to 16"' in complaint(f"CAIRN_MAX_VERTICES={count}")
+
+
+@pytest.mark.parametrize("count", [0, 3])
+def test_points_are_one_or_two(count: int) -> None:
+    assert '#error "CAIRN_MAX_POINTS must be 1 or 2"' in complaint(f"CAIRN_MAX_POINTS={count}", "CAIRN_WITH_BLOCKS=0")
+
+
+def test_blocks_take_two_points() -> None:
+    assert '#error "CAIRN_MAX_POINTS 1 needs CAIRN_WITH_BLOCKS 0"' in complaint("CAIRN_MAX_POINTS=1")
+    assert complaint("CAIRN_MAX_POINTS=1", "CAIRN_WITH_BLOCKS=0") == ""
+
+
+def test_all_that_can_be_left_out_can_be_left_out_at_once() -> None:
+    assert complaint(*(f"CAIRN_WITH_{name}=0" for name in FLAGS), "CAIRN_MAX_POINTS=1", "CAIRN_MAX_VERTICES=4") == ""
