@@ -143,6 +143,7 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
     if (!may_look(world, a, b)) {
         return;
     }
+    world->stats.looked++;
     cairn_body_face(body_a);
     cairn_body_face(body_b);
     look(world, body_a, body_b, &manifold);

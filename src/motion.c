@@ -251,7 +251,7 @@ static void mark_held(cairn_world *world)
     const uint16_t *end = world->order + world->arbiter_count;
     cairn_arbiter *arbiters = world->arbiters;
     cairn_body *bodies = world->bodies;
-    unsigned points = 0;
+    unsigned points = 0, solved = 0;
     for (const uint16_t *at = world->order; at != end; at++) {
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
@@ -260,6 +260,7 @@ static void mark_held(cairn_world *world)
         }
         cairn_motion first = arbiter->rows[0].impulse, second = cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0;
         points += arbiter->count;
+        solved++;
         if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
             arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);
             mark_rest(&bodies[arbiter->a], &bodies[arbiter->b], arbiter, first, second);
@@ -269,6 +270,7 @@ static void mark_held(cairn_world *world)
         }
     }
     world->stats.points = (uint16_t)points;
+    world->stats.solved = (uint16_t)solved;
 }
 
 /* Stop a coordinate at the edge of the world: its displacement is then not what it was to be. */

@@ -96,6 +96,7 @@ static void start(cairn_world *world)
         if (cairn_body_is_active(&world->bodies[i])) {
             world->bodies[i].flags |= CAIRN_BODY_GOES | CAIRN_BODY_UNSTEADY;
             cairn_body_start(world, &world->bodies[i], gx, gy);
+            world->stats.moved++;
         }
     }
 }

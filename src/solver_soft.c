@@ -163,6 +163,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_body *idle = NULL;
+    unsigned moved = 0;
     world->coasted = cairn_world_fast(world) == 0 && cairn_world_bounce(world) == NULL; /* else continuous.c may have to look at all ways */
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (goes(world, body, f)) {
@@ -172,6 +173,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
             }
             body->flags |= CAIRN_BODY_GOES;
             cairn_body_start(world, body, gx, gy);
+            moved++;
             continue;
         }
         if (world->coasted && cairn_body_is_active(body)) {
@@ -184,6 +186,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
     if (idle != NULL) {
         idle->ux = (cairn_motion)world->body_end;
     }
+    world->stats.moved = (uint16_t)moved;
 }
 
 /* Take what the pair's impulses did to a body out of the change that is to be repeated. */

@@ -95,6 +95,7 @@ static void find_pairs(cairn_world *world)
     world->broad->find_pairs(world);
     if (cairn_world_sleep(world) != NULL && cairn_world_sleep(world)->wake(world)) {
         world->stats.pairs = 0;
+        world->stats.looked = 0;
         world->stats.dropped = dropped;
         world->broad->find_pairs(world); /* what woke has pairs of its own */
     }
@@ -125,6 +126,9 @@ cairn_status cairn_world_step(cairn_world *world)
     world->stats.steps++;
     world->stats.pairs = 0;
     world->stats.points = 0;
+    world->stats.looked = 0;
+    world->stats.solved = 0;
+    world->stats.moved = 0;
     if (is_all_asleep(world)) {
         return CAIRN_OK;
     }

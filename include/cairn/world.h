@@ -67,6 +67,10 @@ typedef struct cairn_world_stats {
     uint16_t arbiters, points;
     uint16_t springs;
     uint16_t tree_cells, tree_entries; /* of the quadtree */
+    /* What did not cost anything is the rest: */
+    uint16_t looked; /* pairs whose shapes were compared; other contacts are held from the step before */
+    uint16_t solved; /* arbiters that took part in the sub-steps; others are apart, idle, asleep or a sensor's */
+    uint16_t moved;  /* bodies that took part in the sub-steps; others that are awake met nothing, and coast */
     uint16_t tree_full;                /* leaves that stayed longer than wished because a pool was full, and one more if pairs could not be kept */
 } cairn_world_stats;
 

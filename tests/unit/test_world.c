@@ -451,3 +451,39 @@ void test_statistics_count_pairs_arbiters_and_points(void)
     TEST_ASSERT_EQUAL_UINT32(0, stats()->dropped);
     TEST_ASSERT_EQUAL_UINT32(0, stats()->saturations);
 }
+
+/* ---- what a step left out, as its statistics tell ---- */
+
+void test_what_meets_nothing_takes_no_part_in_the_sub_steps(void)
+{
+    put(&box, 0, CAIRN_F(5));
+    run(3);
+    TEST_ASSERT_EQUAL_UINT16(1, stats()->awake);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->moved);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->looked);
+}
+
+void test_what_rests_is_solved_but_not_looked_at(void)
+{
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    put(&box, 0, CAIRN_F(0.5));
+    run(1);
+    TEST_ASSERT_EQUAL_UINT16(1, stats()->looked);
+    run(60);
+    TEST_ASSERT_EQUAL_UINT16(1, stats()->pairs);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->looked);
+    TEST_ASSERT_EQUAL_UINT16(1, stats()->solved);
+    TEST_ASSERT_EQUAL_UINT16(1, stats()->moved);
+}
+
+void test_what_sleeps_costs_nothing(void)
+{
+    ASSERT_OK(cairn_sleep_enable(world));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    put(&box, 0, CAIRN_F(0.5));
+    run(180);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->awake);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->looked);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->solved);
+    TEST_ASSERT_EQUAL_UINT16(0, stats()->moved);
+}

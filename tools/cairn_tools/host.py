@@ -25,7 +25,7 @@ SENSOR, FIXED_ROTATION, FIXED_POSITION = 1, 2, 4
 X, Y, ANGLE, VX, VY, OMEGA = range(6)
 CONTACT_VALUES = 13
 STATISTICS = ("steps", "dropped", "saturations", "bodies", "awake", "pairs", "arbiters", "points", "springs",
-              "tree_cells", "tree_entries", "tree_full")  # fmt: skip
+              "tree_cells", "tree_entries", "tree_full", "looked", "solved", "moved")  # fmt: skip
 
 _INT, _LONG, _REAL, _PLACE = ctypes.c_int, ctypes.c_int64, ctypes.c_double, ctypes.c_void_p
 # Result and arguments after the world, in the order of shim.h.

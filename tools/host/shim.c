@@ -493,6 +493,7 @@ void shim_stats(const shim_world *w, int64_t *out)
     const int64_t values[SHIM_STATS] = {
         stats->steps, stats->dropped, stats->saturations, stats->bodies, stats->awake, stats->pairs,
         stats->arbiters, stats->points, stats->springs, stats->tree_cells, stats->tree_entries, stats->tree_full,
+        stats->looked, stats->solved, stats->moved,
     };
     memcpy(out, values, sizeof values);
 }

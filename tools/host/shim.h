@@ -18,8 +18,8 @@ enum { SHIM_SENSOR = 1, SHIM_FIXED_ROTATION = 2, SHIM_FIXED_POSITION = 4 };
 enum { SHIM_STATE = 6 };
 /* A contact: bodies a and b, touching (0, 1), normal, then x, y, separation and impulse of two points (NaN: no such point). */
 enum { SHIM_CONTACT = 13 };
-/* steps, dropped, saturations, bodies, awake, pairs, arbiters, points, springs, tree_cells, tree_entries, tree_full */
-enum { SHIM_STATS = 12 };
+/* steps, dropped, saturations, bodies, awake, pairs, arbiters, points, springs, tree_cells, tree_entries, tree_full, looked, solved, moved */
+enum { SHIM_STATS = 15 };
 
 /* Null if out of memory or a number is out of range. springs and cells (of the quadtree) may be 0. */
 SHIM shim_world *shim_create(int bodies, int arbiters, int springs, int cells, double gravity_x, double gravity_y);

@@ -161,6 +161,9 @@ static void print_stats(const cairn_world *world, const runner_most *most)
     print_number_line("stat most_tree_entries", most->entries);
     print_number_line("stat most_tree_kept", most->kept);
     print_number_line("stat pairs", stats->pairs);
+    print_number_line("stat looked", stats->looked);
+    print_number_line("stat solved", stats->solved);
+    print_number_line("stat moved", stats->moved);
     print_number_line("stat awake", stats->awake);
     print_number_line("stat dropped_contacts", stats->dropped);
     print_number_line("stat saturations", stats->saturations);
