@@ -40,13 +40,20 @@ def test_ram_is_held_and_what_is_not_on_record_is_told() -> None:
     assert told == ["balls on m0: 2,100 bytes of ram, on record 2,000", "balls on m3: not on record"]
 
 
-@pytest.mark.parametrize("name", [n for n, f in footprint.FEATURES.items() if f.files or f.functions])
+@pytest.mark.parametrize(
+    "name", [n for n, f in footprint.FEATURES.items() if (f.files or f.functions) and n not in BALLS.features]
+)
 def test_a_function_of_each_feature_in_a_game_of_balls_is_a_stranger(name: str) -> None:
     feature = footprint.FEATURES[name]
     planted = feature.functions[0] if feature.functions else "planted"
     found = {"cairn_world_step": "world.c", planted: f"{(*feature.files, 'body')[0]}.c"}
     assert footprint.strangers(BALLS.features, found) == [planted]
     assert footprint.strangers((*BALLS.features, name), found) == []
+
+
+def test_a_ball_in_a_game_of_boxes_is_a_stranger() -> None:
+    boxes = next(entry for entry in SETS if entry.name == "boxes")
+    assert footprint.strangers(boxes.features, {"area": "shape_circle.c"}) == ["area"]
 
 
 def test_a_table_is_known_by_the_file_that_defines_it() -> None:

@@ -75,12 +75,13 @@ FEATURES = {
     "MESHES": Feature("springs with meshes", ("spring_mesh",)),
     "SLIDES": Feature("the slides' solver instead", ("solver_slides",)),
     # Of the games that all others build on:
+    "BALLS": Feature("balls", ("shape_circle",)),
     "WALLS": Feature("walls", ("collide_circle_polygon", "shape_box", "collide_box")),
     "BOXES": Feature("boxes"),
 }  # fmt: skip
 # What the step is made of, and what any game may call; the soft solver is the others' instead.
 CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "hold", "idle", "material", "meet",
-              "motion", "rows", "shape_circle", "slide", "solver_soft", "sweep", "sweep_careful", "world")  # fmt: skip
+              "motion", "rows", "slide", "solver_soft", "sweep", "sweep_careful", "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
 BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
@@ -88,7 +89,9 @@ SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),
     FeatureSet("balls", "balls only", ("BALLS",), 16, 16),
     FeatureSet("balls_walls", "balls and walls", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560),
-    FeatureSet("shapes", "and boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),
+    FeatureSet("boxes", "boxes only", ("WALLS", "BOXES"), 16, 16),
+    FeatureSet("boxes_springs", "boxes and springs", ("WALLS", "BOXES", "SPRINGS"), 16, 16),
+    FeatureSet("shapes", "balls, boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),
     FeatureSet("everything", "everything in the library", EVERYTHING, 32, 64, 20 * 1024),
     FeatureSet("base", "balls, walls and boxes", BASE),
     *(FeatureSet(name.lower(), f"+ {feature.what}", (*BASE, *NEEDS.get(name, ()), name))

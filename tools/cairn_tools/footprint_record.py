@@ -118,6 +118,8 @@ def markdown(record: Record) -> str:
     sets = [["feature set", "bodies, arbiters", *(f"flash {core}" for core in cores), *columns]]
     adds = [["feature", *cores, "RAM"]]
     for entry in SETS[1:]:
+        if not all(entry.name in record[core] for core in cores):
+            continue
         flash = [record[core][entry.name]["flash"] for core in cores]
         kept = first[entry.name]
         if entry.what.startswith("+"):

@@ -5,7 +5,7 @@
  */
 #include <cairn/cairn.h>
 
-#if WITH_BALLS
+#if WITH_BALLS || WITH_BOXES
 
 CAIRN_WORLD(yard, BODIES, ARBITERS);
 
@@ -25,7 +25,11 @@ static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0.9, 0.7, 0.8, 0.5)
 #else
 static const cairn_material rubber = CAIRN_MATERIAL(0.9, 0.7);
 #endif
+#if WITH_BALLS
 static const cairn_shape ball_shape = CAIRN_CIRCLE(CAIRN_F(0.25));
+#else
+static const cairn_shape ball_shape = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(0.5));
+#endif
 static const cairn_body_model ball = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &ball_shape, &rubber);
 
 #if WITH_WALLS || WITH_BOXES
