@@ -100,14 +100,16 @@ def trim(scenes: list[Scene], wish: Wish, out: Path, say: Say) -> tuple[Needs, l
         folder = engine.BUILDS / "trim"
         folder.mkdir(exist_ok=True)
         shutil.rmtree(folder / "trim", ignore_errors=True)
-        full = Builder(folder / "build-full", folder, wish.steps)
-        say("all of Cairn, with the scenes as they are")
-        before = full.run(scenes)
         errors: list[float | None] = [None] * len(scenes)
         chosen = scenes
         if wish.tolerance is not None:
             found = [with_substeps(scene, wish, say) for scene in scenes]
             chosen, errors = [scene for scene, _ in found], [error for _, error in found]
+        for scene in chosen:
+            peaks(scene, wish, say)  # what overflows is refused before anything is built
+        full = Builder(folder / "build-full", folder, wish.steps)
+        say("all of Cairn, with the scenes as they are")
+        before = full.run(scenes)
         say("all pairs or the quadtree")
         chosen, wanted = choose_broad(full, [_rewritten(scene, folder) for scene in chosen], folder)
         runs = [peaks(scene, wish, say) for scene in chosen]
