@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 FLAGS = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS",
-         "DAMPING")  # fmt: skip
+         "DAMPING", "QUICK_WAYS")  # fmt: skip
 
 
 def complaint(*options: str) -> str:

@@ -48,7 +48,9 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"\bvisit\(world, spring->a", ("sleep:join",)),
     (r"\btest\(asked, &about", ("query:holds_point", "query:meets_box")),
     (r"\bkeep\(world, ", ("arbiter:is_current", "arbiter:is_of_others")),
-    (r"\bways\[", ("sweep:warm_start_*", "sweep:biased_*", "sweep:relax_*")),
+    (r"\bquick\[", ("sweep_quick:warm_start_*", "sweep_quick:biased_*", "sweep_quick:relax_*")),
+    (r"\brule\(pair, ", ("sweep_careful:biased", "sweep_careful:relaxed")),
+    (r"\bcareful\(world, ", ("cairn_careful_warm_start", "cairn_careful_biased_pass", "cairn_careful_relax_pass")),
     (r"draw->\w+\(|\bvisit\(context", ()),  # the game's
 )  # fmt: skip
 

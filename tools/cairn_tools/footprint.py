@@ -81,7 +81,7 @@ FEATURES = {
 }  # fmt: skip
 # What the step is made of, and what any game may call; the soft solver is the others' instead.
 CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "hold", "idle", "material", "meet",
-              "motion", "rows", "slide", "solver_soft", "sweep", "sweep_careful", "world")  # fmt: skip
+              "motion", "rows", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick", "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
 BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
