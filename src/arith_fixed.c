@@ -307,6 +307,12 @@ cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b)
 
 cairn_wide_word cairn_word_inverse(cairn_wide_word a) { return cairn_word_div(word_of(0x80000000u, -31), a); }
 
+bool cairn_wide_less(cairn_wide a, cairn_wide b)
+{
+    if (a.mantissa == 0 || b.mantissa == 0) { return a.mantissa < b.mantissa; }
+    return (int64_t)cairn_wide_to_word(a) < (int64_t)cairn_wide_to_word(b); /* by the exponents, then by the mantissas */
+}
+
 cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b)
 {
     bool less = cairn_wide_less(cairn_wide_from_word(a), cairn_wide_from_word(b));
@@ -330,10 +336,13 @@ cairn_wide_word cairn_word_sqrt(cairn_wide_word a)
     return word_from_64(root((uint64_t)(uint32_t)a << (32 - odd)), (exponent_of(a) - 32 + odd) / 2);
 }
 
-/* x / 2^shift rounded, shift from 1 to 63; x < 2^63 */
+/* x / 2^shift rounded, shift from 1 on; x < 2^63 */
 static uint64_t shifted(uint64_t x, int shift)
 {
-    return ((x >> (shift - 1)) + 1) >> 1;
+    if (!CAIRN_SMALL && shift > 32) { /* the common case of what comes to 32 bits: the high word alone */
+        return shift > 63 ? 0 : ((high_word(x) >> (shift - 33)) + 1) >> 1;
+    }
+    return shift > 63 ? 0 : ((x >> (shift - 1)) + 1) >> 1;
 }
 
 int32_t cairn_word_scale(cairn_wide_word k, int32_t x, int exponent)
@@ -341,10 +350,6 @@ int32_t cairn_word_scale(cairn_wide_word k, int32_t x, int exponent)
     uint64_t product = cairn_product(magnitude(x), (uint32_t)k);
     int shift = -(exponent_of(k) + exponent);
 
-    if (shift > 32) { /* the common case: the high word alone */
-        int32_t size = shift > 63 ? 0 : (int32_t)(((high_word(product) >> (shift - 33)) + 1) >> 1);
-        return x < 0 ? -size : size;
-    }
     if (product == 0) { return 0; }
     if (shift <= 0) { return with_sign(UINT32_MAX, x); }
     product = shifted(product, shift);
@@ -359,9 +364,7 @@ cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
     int shift = -(inverse_gyration.exponent + 2);
     uint32_t turned;
 
-    if (shift > 32) { /* the common case: the high word alone */
-        turned = shift > 63 ? 0 : ((high_word(product) >> (shift - 33)) + 1) >> 1;
-    } else if (shift > 0) {
+    if (shift > 0) {
         turned = (uint32_t)shifted(product, shift);
     } else {
         turned = shift > -32 ? (uint32_t)product << -shift : 0;
@@ -377,7 +380,7 @@ cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
 
     d.carry = 0;
     if (shift > 0) {
-        size = shift > 63 ? 0 : shifted(size, shift);
+        size = shifted(size, shift);
     } else if (size != 0) {
         size = -shift >= clz64(size) ? UINT64_MAX : size << -shift;
     }
@@ -465,8 +468,8 @@ cairn_lean cairn_dir_lean(cairn_unit x, cairn_unit y, cairn_dir dx, cairn_dir dy
     return (cairn_lean)(((rest_y >> 2) * dx - (rest_x >> 2) * dy + 16384) >> 15);
 }
 
-/* Of x / 2^14, what lies beyond the nearest whole number. */
-static int32_t beyond(uint32_t x) { return (int32_t)((x + 8192u) & 16383u) - 8192; }
+/* Of x / 2^14, what lies beyond the nearest whole number: its lowest 14 bits, with their sign. */
+static int32_t beyond(uint32_t x) { return (int32_t)(x << 18) >> 18; }
 
 void cairn_motion_add_lack(cairn_motion *vx, cairn_motion *vy, cairn_motion push, cairn_motion rub, cairn_dir dx, cairn_dir dy, cairn_lean lean,
                            int times, uint32_t step)

@@ -167,7 +167,7 @@ static inline int32_t cairn_mul_clamped(int32_t a, int32_t b, int shift)
 static inline int32_t cairn_add_clamped(int32_t a, int32_t b)
 {
     int32_t sum;
-    if (cairn_add_overflows(a, b, &sum)) { return a < 0 ? -INT32_MAX : INT32_MAX; }
+    if (cairn_add_overflows(a, b, &sum)) { sum = (a >> 31) ^ INT32_MAX; }
     return sum < -INT32_MAX ? -INT32_MAX : sum;
 }
 
@@ -285,11 +285,7 @@ CAIRN_ALWAYS_INLINE int32_t cairn_wide_scale(int32_t x, cairn_wide k, int expone
 #define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_zero(void) { return cairn_wide_from_word(0); }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
-static inline bool cairn_wide_less(cairn_wide a, cairn_wide b)
-{
-    if (a.mantissa == 0 || b.mantissa == 0) { return a.mantissa < b.mantissa; }
-    return a.exponent != b.exponent ? a.exponent < b.exponent : a.mantissa < b.mantissa;
-}
+bool cairn_wide_less(cairn_wide a, cairn_wide b);
 /* As a body keeps it: within 2^-25 of itself, for exponents of -128 to 127. */
 static inline cairn_packed cairn_wide_pack(cairn_wide k)
 {
@@ -355,7 +351,7 @@ static inline void cairn_coordinate_shift(cairn_real *x, cairn_residue *residue,
 {
     int32_t low = ((by & 63) << 6) + (int32_t)*residue;
     *residue = (cairn_residue)(low & 4095);
-    *x = cairn_clamp64((int64_t)*x + (by >> 6) + (low >> 12));
+    *x = cairn_add_clamped(*x, (by >> 6) + (low >> 12));
 }
 static inline cairn_motion cairn_motion_half(cairn_motion x) { return x >> 1; }
 /* x / 2^bits, rounded down: a shift. */
@@ -369,7 +365,7 @@ static inline cairn_real cairn_real_turn(cairn_real x, cairn_real y, cairn_unit 
 /* The nearest API number. */
 static inline cairn_real cairn_coordinate_round(cairn_real x, cairn_residue residue)
 {
-    return residue >= 2048 && x < INT32_MAX ? x + 1 : x;
+    return cairn_add_clamped(x, residue >> 11);
 }
 static inline cairn_residue cairn_residue_zero(void) { return 0; }
 
