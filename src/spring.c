@@ -202,6 +202,8 @@ static cairn_offset2 anchor_of(const cairn_body *body, cairn_vec2 anchor)
     return result;
 }
 
+static bool is_centre(cairn_offset2 anchor) { return anchor.x == 0 && anchor.y == 0; }
+
 /* Between steps: what bodies still know of the last one's displacements is done. */
 static void measure(const cairn_world *world, const cairn_spring *spring, cairn_reach *r)
 {
@@ -227,6 +229,9 @@ cairn_spring_id cairn_spring_create(cairn_world *world, const cairn_spring_def *
     spring->flags = (uint16_t)(CAIRN_SPRING_USED | CAIRN_SPRING_FRESH | (def->no_contact ? CAIRN_SPRING_NO_CONTACT : 0));
     spring->anchor_a = anchor_of(a, def->anchor_a);
     spring->anchor_b = anchor_of(b, def->anchor_b);
+    if (!is_centre(spring->anchor_a) || !is_centre(spring->anchor_b)) {
+        spring->flags |= CAIRN_SPRING_OFF_CENTRE;
+    }
     spring->stiffness = kept(def->stiffness);
     spring->damping = kept(def->damping);
     cairn_reach r;

@@ -22,14 +22,12 @@ enum {
     CAIRN_SPRING_MESHED = 512,    /* of a network's first: solved as a whole */
     CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre of bodies that may shift or are at rest */
     CAIRN_SPRING_SIMPLE = 2048,   /* of a path's first: all of them are plain */
-    CAIRN_SPRING_FRAMED = 4096    /* of a path's first: they have frames, see spring_quick.c */
+    CAIRN_SPRING_FRAMED = 4096,   /* of a path's first: they have frames, see spring_quick.c */
+    CAIRN_SPRING_OFF_CENTRE = 8192 /* an anchor of it is */
 };
 
 static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
-static inline bool cairn_spring_is_off_centre(const cairn_spring *spring)
-{
-    return spring->anchor_a.x != 0 || spring->anchor_a.y != 0 || spring->anchor_b.x != 0 || spring->anchor_b.y != 0;
-}
+static inline bool cairn_spring_is_off_centre(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_OFF_CENTRE) != 0; }
 static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
 {
     return cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
