@@ -15,24 +15,24 @@ typedef struct corner_list {
     cairn_offset2 at[2 * CAIRN_MAX_VERTICES];
 } corner_list;
 
-CAIRN_ONCE cairn_offset2 after(const corner_list *corners, int i) { return corners->at[i + 1 < corners->count ? i + 1 : 0]; }
-static cairn_offset2 before(const corner_list *corners, int i) { return corners->at[i > 0 ? i - 1 : corners->count - 1]; }
+static const cairn_offset2 *after(const corner_list *corners, int i) { return &corners->at[i + 1 < corners->count ? i + 1 : 0]; }
+static const cairn_offset2 *before(const corner_list *corners, int i) { return &corners->at[i > 0 ? i - 1 : corners->count - 1]; }
 
 /* Twice the area of the triangle a, b, c; positive if it turns to the left. */
-CAIRN_ONCE cairn_area turn(cairn_offset2 a, cairn_offset2 b, cairn_offset2 c)
+CAIRN_ONCE cairn_area turn(const cairn_offset2 *a, const cairn_offset2 *b, const cairn_offset2 *c)
 {
-    return cairn_offset_cross(b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y);
+    return cairn_offset_cross(b->x - a->x, b->y - a->y, c->x - b->x, c->y - b->y);
 }
 
 /* x^2 + y^2 */
 static cairn_wide squared(cairn_wide x, cairn_wide y) { return cairn_wide_add(cairn_wide_mul(x, x), cairn_wide_mul(y, y)); }
 
-static cairn_wide distance_squared(cairn_offset2 a, cairn_offset2 b)
+static cairn_wide distance_squared(const cairn_offset2 *a, const cairn_offset2 *b)
 {
-    return squared(cairn_wide_from_offset(b.x - a.x), cairn_wide_from_offset(b.y - a.y));
+    return squared(cairn_wide_from_offset(b->x - a->x), cairn_wide_from_offset(b->y - a->y));
 }
 
-CAIRN_ONCE cairn_wide distance(cairn_offset2 a, cairn_offset2 b) { return cairn_wide_sqrt(distance_squared(a, b)); }
+CAIRN_ONCE cairn_wide distance(const cairn_offset2 *a, const cairn_offset2 *b) { return cairn_wide_sqrt(distance_squared(a, b)); }
 
 /* ---- corners ---- */
 
@@ -60,15 +60,15 @@ static void reverse(corner_list *corners)
 }
 
 /* Does the way turn by more than a right angle at b? */
-static bool is_acute(cairn_offset2 a, cairn_offset2 b, cairn_offset2 c)
+static bool is_acute(const cairn_offset2 *a, const cairn_offset2 *b, const cairn_offset2 *c)
 {
-    return cairn_offset_cross(b.x - a.x, b.y - a.y, b.y - c.y, c.x - b.x) < 0;
+    return cairn_offset_cross(b->x - a->x, b->y - a->y, b->y - c->y, c->x - b->x) < 0;
 }
 
 /* Does the way turn right at this corner, or hardly to the left? The tip of a wedge is no flat corner. */
 static bool is_flat_at(const corner_list *corners, int i)
 {
-    cairn_offset2 a = before(corners, i), b = corners->at[i], c = after(corners, i);
+    const cairn_offset2 *a = before(corners, i), *b = &corners->at[i], *c = after(corners, i);
     cairn_area left = turn(a, b, c);
     if (left <= 0 || is_acute(a, b, c)) {
         return left <= 0;
@@ -76,7 +76,7 @@ static bool is_flat_at(const corner_list *corners, int i)
     return cairn_wide_less(cairn_wide_from_area(left), cairn_wide_mul(distance(a, c), FLAT));
 }
 
-static bool points_down(cairn_offset2 a, cairn_offset2 b) { return b.y < a.y || (b.y == a.y && b.x < a.x); }
+static bool points_down(const cairn_offset2 *a, const cairn_offset2 *b) { return b->y < a->y || (b->y == a->y && b->x < a->x); }
 
 /* Left turns only, and one time round: a way that winds more often crosses itself. */
 static bool is_convex(const corner_list *corners)
@@ -86,7 +86,7 @@ static bool is_convex(const corner_list *corners)
         if (is_flat_at(corners, i)) {
             return false;
         }
-        if (points_down(before(corners, i), corners->at[i]) && !points_down(corners->at[i], after(corners, i))) {
+        if (points_down(before(corners, i), &corners->at[i]) && !points_down(&corners->at[i], after(corners, i))) {
             winding++;
         }
     }
@@ -99,10 +99,10 @@ static bool is_thin(const corner_list *corners)
     for (int i = 0; i < corners->count; i++) {
         cairn_area most = 0;
         for (int j = 0; j < corners->count; j++) {
-            cairn_area span = turn(corners->at[i], after(corners, i), corners->at[j]);
+            cairn_area span = turn(&corners->at[i], after(corners, i), &corners->at[j]);
             most = span > most ? span : most;
         }
-        if (cairn_wide_less(cairn_wide_from_area(most), cairn_wide_mul(distance(corners->at[i], after(corners, i)), THIN))) {
+        if (cairn_wide_less(cairn_wide_from_area(most), cairn_wide_mul(distance(&corners->at[i], after(corners, i)), THIN))) {
             return true;
         }
     }
@@ -112,7 +112,7 @@ static bool is_thin(const corner_list *corners)
 /* Counter-clockwise, or refused. */
 static cairn_status put_in_order(corner_list *corners)
 {
-    if (turn(corners->at[0], corners->at[1], corners->at[2]) < 0) {
+    if (turn(&corners->at[0], &corners->at[1], &corners->at[2]) < 0) {
         reverse(corners);
     }
     return is_convex(corners) && !is_thin(corners) ? CAIRN_OK : CAIRN_ERROR_SHAPE;
@@ -120,10 +120,8 @@ static cairn_status put_in_order(corner_list *corners)
 
 /* ---- measures: the fan of triangles from the first corner ---- */
 
-static cairn_area fan_area(const corner_list *corners, int i)
-{
-    return turn(corners->at[0], corners->at[i], corners->at[i + 1]);
-}
+static cairn_area fan_area(const corner_list *corners, int i) { return turn(corners->at, &corners->at[i], &corners->at[i + 1]); }
+CAIRN_ONCE cairn_wide fan_weight(const corner_list *corners, int i) { return cairn_wide_from_area(fan_area(corners, i)); }
 
 static cairn_wide twice_area(const corner_list *corners)
 {
@@ -159,7 +157,7 @@ static cairn_offset2 centroid_of(const corner_list *corners)
     cairn_wide thrice = cairn_wide_mul(cairn_wide_from_int(3), twice_area(corners));
     for (int i = 1; i + 1 < corners->count; i++) {
         cairn_offset2 b = corners->at[i], c = corners->at[i + 1];
-        cairn_wide area = cairn_wide_from_area(fan_area(corners, i));
+        cairn_wide area = fan_weight(corners, i);
         x = cairn_wide_add(x, cairn_wide_mul(area, sum_of(first.x - low.x, b.x - low.x, c.x - low.x)));
         y = cairn_wide_add(y, cairn_wide_mul(area, sum_of(first.y - low.y, b.y - low.y, c.y - low.y)));
     }
@@ -169,7 +167,7 @@ static cairn_offset2 centroid_of(const corner_list *corners)
 }
 
 /* Squared radius of gyration of a triangle about its own centroid, times 36: the sum of its squared sides. */
-static cairn_wide triangle_gyration(cairn_offset2 a, cairn_offset2 b, cairn_offset2 c)
+static cairn_wide triangle_gyration(const cairn_offset2 *a, const cairn_offset2 *b, const cairn_offset2 *c)
 {
     return cairn_wide_add(distance_squared(a, b), cairn_wide_add(distance_squared(b, c), distance_squared(c, a)));
 }
@@ -190,10 +188,10 @@ static cairn_wide gyration_squared(const corner_list *corners, cairn_wide whole)
 {
     cairn_wide own = cairn_wide_zero(), spread = cairn_wide_zero();
     for (int i = 1; i + 1 < corners->count; i++) {
-        cairn_wide share = cairn_wide_div(cairn_wide_from_area(fan_area(corners, i)), whole);
-        own = cairn_wide_add(own, cairn_wide_mul(share, triangle_gyration(corners->at[0], corners->at[i], corners->at[i + 1])));
+        cairn_wide share = cairn_wide_div(fan_weight(corners, i), whole);
+        own = cairn_wide_add(own, cairn_wide_mul(share, triangle_gyration(corners->at, &corners->at[i], &corners->at[i + 1])));
         for (int j = 1; j < i; j++) {
-            cairn_wide other = cairn_wide_div(cairn_wide_from_area(fan_area(corners, j)), whole);
+            cairn_wide other = cairn_wide_div(fan_weight(corners, j), whole);
             spread = cairn_wide_add(spread, cairn_wide_mul(cairn_wide_mul(share, other), centroid_distance(corners, i, j)));
         }
     }
@@ -219,10 +217,10 @@ static void fill_outline(cairn_polygon *polygon, const corner_list *corners, cai
     polygon->centroid.x = centroid.x;
     polygon->centroid.y = centroid.y;
     for (int i = 0; i < corners->count; i++) {
-        cairn_offset2 here = corners->at[i], next = after(corners, i);
-        polygon->vertex[i].x = here.x - centroid.x;
-        polygon->vertex[i].y = here.y - centroid.y;
-        cairn_unit_along(next.y - here.y, here.x - next.x, &polygon->normal[i].x, &polygon->normal[i].y);
+        const cairn_offset2 *here = &corners->at[i], *next = after(corners, i);
+        polygon->vertex[i].x = here->x - centroid.x;
+        polygon->vertex[i].y = here->y - centroid.y;
+        cairn_unit_along(next->y - here->y, here->x - next->x, &polygon->normal[i].x, &polygon->normal[i].y);
     }
 }
 
@@ -284,7 +282,7 @@ cairn_status cairn_polygon_init_regular(cairn_polygon *polygon, int sides, cairn
 
 /* ---- the hull of any points ---- */
 
-static bool is_left_of(cairn_offset2 a, cairn_offset2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+static bool is_left_of(const cairn_offset2 *a, const cairn_offset2 *b) { return a->x < b->x || (a->x == b->x && a->y < b->y); }
 
 /* From left to right, by insertion. */
 static void sort(corner_list *corners)
@@ -292,7 +290,7 @@ static void sort(corner_list *corners)
     for (int i = 1; i < corners->count; i++) {
         cairn_offset2 moved = corners->at[i];
         int place = i;
-        while (place > 0 && is_left_of(moved, corners->at[place - 1])) {
+        while (place > 0 && is_left_of(&moved, &corners->at[place - 1])) {
             corners->at[place] = corners->at[place - 1];
             place--;
         }
@@ -301,12 +299,12 @@ static void sort(corner_list *corners)
 }
 
 /* Add a corner to a chain that turns left only; `start` is where the chain began. */
-static void extend(corner_list *chain, int start, cairn_offset2 corner)
+static void extend(corner_list *chain, int start, const cairn_offset2 *corner)
 {
-    while (chain->count >= start + 2 && turn(chain->at[chain->count - 2], chain->at[chain->count - 1], corner) <= 0) {
+    while (chain->count >= start + 2 && turn(&chain->at[chain->count - 2], &chain->at[chain->count - 1], corner) <= 0) {
         chain->count--;
     }
-    chain->at[chain->count++] = corner;
+    chain->at[chain->count++] = *corner;
 }
 
 /*
@@ -315,17 +313,17 @@ static void extend(corner_list *chain, int start, cairn_offset2 corner)
  */
 static void wrap(const corner_list *points, corner_list *hull)
 {
-    cairn_offset2 first = points->at[0], last = points->at[points->count - 1];
+    const cairn_offset2 *first = &points->at[0], *last = &points->at[points->count - 1];
     hull->count = 0;
     for (int i = 0; i < points->count; i++) {
-        if (turn(first, last, points->at[i]) <= 0) {
-            extend(hull, 0, points->at[i]);
+        if (turn(first, last, &points->at[i]) <= 0) {
+            extend(hull, 0, &points->at[i]);
         }
     }
     int start = hull->count - 1;
     for (int i = points->count - 1; i >= 0; i--) {
-        if (turn(first, last, points->at[i]) > 0) {
-            extend(hull, start, points->at[i]);
+        if (turn(first, last, &points->at[i]) > 0) {
+            extend(hull, start, &points->at[i]);
         }
     }
 }
