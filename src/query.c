@@ -81,22 +81,24 @@ static cairn_offset2 relative(const target *s, cairn_vec2 point)
     return r;
 }
 
-/* A corner of the polygon, and the normal of the edge from there. */
-static cairn_offset2 corner_of(const target *s, int i)
+/* An edge of the polygon: the corner from which it goes, and its normal. */
+typedef struct edge {
+    cairn_offset2 corner;
+    cairn_unit2 normal;
+} edge;
+
+static void set_edge(edge *e, const target *s, int i)
 {
-    cairn_offset2 corner = cairn_offset2_turned(s->outline.vertex[i], s->c, s->s);
-    corner.x = scaled(s, corner.x);
-    corner.y = scaled(s, corner.y);
-    return corner;
+    e->corner = cairn_offset2_turned(s->outline.vertex[i], s->c, s->s);
+    e->corner.x = scaled(s, e->corner.x);
+    e->corner.y = scaled(s, e->corner.y);
+    e->normal = cairn_unit2_turned(s->outline.normal[i], s->c, s->s);
 }
 
-static cairn_unit2 normal_of(const target *s, int i) { return cairn_unit2_turned(s->outline.normal[i], s->c, s->s); }
-
-/* How far a point lies outside of an edge, of this normal. */
-static cairn_offset outside_of(const target *s, int edge, cairn_unit2 normal, cairn_offset2 p)
+/* How far a point lies outside of an edge. */
+static cairn_offset outside_of(const edge *e, cairn_offset x, cairn_offset y)
 {
-    cairn_offset2 corner = corner_of(s, edge);
-    return cairn_offset_dot(p.x - corner.x, p.y - corner.y, normal.x, normal.y);
+    return cairn_offset_dot(x - e->corner.x, y - e->corner.y, e->normal.x, e->normal.y);
 }
 
 /* ---- rays ---- */
@@ -113,15 +115,15 @@ static cairn_offset leg(cairn_offset a, cairn_offset b)
     return cairn_wide_to_offset(cairn_wide_sqrt(cairn_wide_mul(cairn_wide_from_offset(a - b), cairn_wide_from_offset(a + b))));
 }
 
-static bool enter_circle(cairn_offset radius, cairn_offset2 start, cairn_offset2 end, entry *in)
+static bool enter_circle(cairn_offset radius, const cairn_offset2 *start, const cairn_offset2 *end, entry *in)
 {
     cairn_unit ux, uy;
-    if (cairn_unit_along(start.x, start.y, &ux, &uy) <= radius) {
+    if (cairn_unit_along(start->x, start->y, &ux, &uy) <= radius) {
         return true;
     }
-    cairn_offset length = cairn_unit_along(end.x - start.x, end.y - start.y, &ux, &uy);
-    cairn_offset nearest = -cairn_offset_dot(start.x, start.y, ux, uy); /* along the ray, to the point closest to the centre */
-    cairn_offset aside = cairn_offset_dot(start.x, -start.y, uy, ux);
+    cairn_offset length = cairn_unit_along(end->x - start->x, end->y - start->y, &ux, &uy);
+    cairn_offset nearest = -cairn_offset_dot(start->x, start->y, ux, uy); /* along the ray, to the point closest to the centre */
+    cairn_offset aside = cairn_offset_dot(start->x, -start->y, uy, ux);
     aside = aside < 0 ? -aside : aside;
     if (aside > radius) {
         return false;
@@ -131,17 +133,18 @@ static bool enter_circle(cairn_offset radius, cairn_offset2 start, cairn_offset2
         return false;
     }
     in->fraction = cairn_offset_fraction(way, length);
-    cairn_unit_along(start.x + cairn_offset_mul(way, ux), start.y + cairn_offset_mul(way, uy), &in->normal_x, &in->normal_y);
+    cairn_unit_along(start->x + cairn_offset_mul(way, ux), start->y + cairn_offset_mul(way, uy), &in->normal_x, &in->normal_y);
     return true;
 }
 
 /* Cyrus and Beck: the last edge that the ray crosses inwards, if it comes before the first that it crosses outwards. */
-static bool enter_polygon(const target *s, cairn_offset2 start, cairn_offset2 end, entry *in)
+static bool enter_polygon(const target *s, const cairn_offset2 *start, const cairn_offset2 *end, entry *in)
 {
     cairn_unit leave = CAIRN_UNIT(1);
     for (int i = 0; i < s->outline.count; i++) {
-        cairn_unit2 normal = normal_of(s, i);
-        cairn_offset from = outside_of(s, i, normal, start), to = outside_of(s, i, normal, end);
+        edge e;
+        set_edge(&e, s, i);
+        cairn_offset from = outside_of(&e, start->x, start->y), to = outside_of(&e, end->x, end->y);
         if (from > 0 && to > 0) {
             return false;
         }
@@ -150,8 +153,8 @@ static bool enter_polygon(const target *s, cairn_offset2 start, cairn_offset2 en
             bool first = in->normal_x == 0 && in->normal_y == 0;
             if (first || fraction > in->fraction) {
                 in->fraction = fraction;
-                in->normal_x = normal.x;
-                in->normal_y = normal.y;
+                in->normal_x = e.normal.x;
+                in->normal_y = e.normal.y;
             }
         } else if (to > 0) {
             cairn_unit fraction = cairn_offset_fraction(-from, to - from);
@@ -190,7 +193,7 @@ static bool enter_body(const ray *r, const cairn_body *body, entry *in)
     in->fraction = in->normal_x = in->normal_y = 0;
     set_target(&s, body, cairn_real_add(size_of(&box), r->length));
     cairn_offset2 start = relative(&s, r->start), end = relative(&s, r->end);
-    return is_circle(&s) ? enter_circle(s.radius, start, end, in) : enter_polygon(&s, start, end, in);
+    return is_circle(&s) ? enter_circle(s.radius, &start, &end, in) : enter_polygon(&s, &start, &end, in);
 }
 
 /* from + (to - from) * fraction */
@@ -299,7 +302,9 @@ static bool holds_point(const question *asked, const region *about, const cairn_
         return cairn_unit_along(p.x, p.y, &x, &y) <= s.radius;
     }
     for (int i = 0; i < s.outline.count; i++) {
-        if (outside_of(&s, i, normal_of(&s, i), p) > 0) {
+        edge e;
+        set_edge(&e, &s, i);
+        if (outside_of(&e, p.x, p.y) > 0) {
             return false;
         }
     }
@@ -320,28 +325,26 @@ cairn_status cairn_query_point(cairn_world *world, cairn_vec2 point, uint16_t ma
 
 static cairn_offset into(cairn_offset x, cairn_offset low, cairn_offset high) { return x < low ? low : x > high ? high : x; }
 
-static bool box_meets_circle(cairn_offset2 lower, cairn_offset2 upper, cairn_offset radius)
+static bool box_meets_circle(const cairn_offset2 *lower, const cairn_offset2 *upper, cairn_offset radius)
 {
     cairn_unit x, y;
-    return cairn_unit_along(into(0, lower.x, upper.x), into(0, lower.y, upper.y), &x, &y) <= radius;
+    return cairn_unit_along(into(0, lower->x, upper->x), into(0, lower->y, upper->y), &x, &y) <= radius;
 }
 
 /* The separating-axis test: the box's axes, and the normals of the polygon with the box's corner that lies farthest behind. */
-static bool box_meets_polygon(cairn_offset2 lower, cairn_offset2 upper, const target *s)
+static bool box_meets_polygon(const cairn_offset2 *lower, const cairn_offset2 *upper, const target *s)
 {
     bool left = true, right = true, below = true, above = true;
     for (int i = 0; i < s->outline.count; i++) {
-        cairn_unit2 normal = normal_of(s, i);
-        cairn_offset2 nearest, corner = corner_of(s, i);
-        nearest.x = normal.x > 0 ? lower.x : upper.x;
-        nearest.y = normal.y > 0 ? lower.y : upper.y;
-        if (cairn_offset_dot(nearest.x - corner.x, nearest.y - corner.y, normal.x, normal.y) > 0) {
+        edge e;
+        set_edge(&e, s, i);
+        if (outside_of(&e, e.normal.x > 0 ? lower->x : upper->x, e.normal.y > 0 ? lower->y : upper->y) > 0) {
             return false;
         }
-        left = left && corner.x < lower.x;
-        right = right && corner.x > upper.x;
-        below = below && corner.y < lower.y;
-        above = above && corner.y > upper.y;
+        left = left && e.corner.x < lower->x;
+        right = right && e.corner.x > upper->x;
+        below = below && e.corner.y < lower->y;
+        above = above && e.corner.y > upper->y;
     }
     return !left && !right && !below && !above;
 }
@@ -354,7 +357,7 @@ static bool meets_box(const question *asked, const region *about, const cairn_bo
     cairn_vec2 low = cairn_vec2_of(larger(asked->box.lower.x, about->lower.x), larger(asked->box.lower.y, about->lower.y));
     cairn_vec2 high = cairn_vec2_of(smaller(asked->box.upper.x, about->upper.x), smaller(asked->box.upper.y, about->upper.y));
     cairn_offset2 lower = relative(&s, low), upper = relative(&s, high);
-    return is_circle(&s) ? box_meets_circle(lower, upper, s.radius) : box_meets_polygon(lower, upper, &s);
+    return is_circle(&s) ? box_meets_circle(&lower, &upper, s.radius) : box_meets_polygon(&lower, &upper, &s);
 }
 
 cairn_status cairn_query_box(cairn_world *world, cairn_vec2 lower, cairn_vec2 upper, uint16_t mask, cairn_body_visitor visit, void *context)
