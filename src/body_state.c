@@ -1,15 +1,20 @@
 /* What the game may ask of a body: where it is, how it moves, what it is. */
 #include "engine.h"
 
+cairn_vec2 cairn_body_point(const cairn_body *body, cairn_offset x, cairn_offset y)
+{
+    cairn_real px = body->x, py = body->y;
+    cairn_residue rx = body->x_residue, ry = body->y_residue;
+    cairn_coordinate_shift(&px, &rx, x);
+    cairn_coordinate_shift(&py, &ry, y);
+    return cairn_vec2_of(cairn_coordinate_round(px, rx), cairn_coordinate_round(py, ry));
+}
+
 static cairn_vec2 origin_of(const cairn_body *body)
 {
     cairn_offset cx, cy;
     cairn_body_centroid(body, &cx, &cy);
-    cairn_real x = body->x, y = body->y;
-    cairn_residue rx = body->x_residue, ry = body->y_residue;
-    cairn_coordinate_shift(&x, &rx, -cx);
-    cairn_coordinate_shift(&y, &ry, -cy);
-    return cairn_vec2_of(cairn_coordinate_round(x, rx), cairn_coordinate_round(y, ry));
+    return cairn_body_point(body, -cx, -cy);
 }
 
 cairn_vec2 cairn_body_position(cairn_world *world, cairn_body_id id)

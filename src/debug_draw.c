@@ -26,23 +26,13 @@ static cairn_draw_state state_of(const cairn_body *body)
     return (body->flags & CAIRN_BODY_ASLEEP) ? CAIRN_DRAW_ASLEEP : CAIRN_DRAW_DYNAMIC;
 }
 
-/* A point given from the centre of mass. */
-static cairn_vec2 place_of(const cairn_body *body, cairn_offset x, cairn_offset y)
-{
-    cairn_real px = body->x, py = body->y;
-    cairn_residue rx = body->x_residue, ry = body->y_residue;
-    cairn_coordinate_shift(&px, &rx, x);
-    cairn_coordinate_shift(&py, &ry, y);
-    return cairn_vec2_of(cairn_coordinate_round(px, rx), cairn_coordinate_round(py, ry));
-}
-
 static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
 {
     cairn_unit c, s;
     cairn_angle_rotation(body->angle, &c, &s);
     cairn_vec2 axis = cairn_vec2_of(cairn_real_from_unit(c), cairn_real_from_unit(s));
     if (draw->circle != NULL) {
-        draw->circle(draw->context, id, state_of(body), place_of(body, 0, 0), body->model->shape->size.x, axis);
+        draw->circle(draw->context, id, state_of(body), cairn_body_point(body, 0, 0), body->model->shape->size.x, axis);
     }
 }
 
@@ -58,7 +48,7 @@ CAIRN_ONCE void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, con
     body->model->shape->kind->outline(body->model->shape, &outline);
     for (int i = 0; i < outline.count; i++) {
         cairn_offset2 corner = cairn_offset2_turned(outline.vertex[i], c, s);
-        corners[i] = place_of(body, corner.x, corner.y);
+        corners[i] = cairn_body_point(body, corner.x, corner.y);
     }
     draw->polygon(draw->context, id, state_of(body), corners, outline.count);
 }

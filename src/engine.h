@@ -222,6 +222,8 @@ cairn_body *cairn_body_find_to_change(cairn_world *world, cairn_body_id id, cair
 void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *y);
 /* A point relative to the centre of mass. */
 cairn_vec2 cairn_body_arm(const cairn_body *body, cairn_vec2 point);
+/* A point given from the centre of mass, as the game sees it. */
+cairn_vec2 cairn_body_point(const cairn_body *body, cairn_offset x, cairn_offset y);
 cairn_body_id cairn_body_id_of(const cairn_world *world, const cairn_body *body);
 void cairn_body_wake_up(cairn_world *world, cairn_body *body);
 

@@ -289,15 +289,6 @@ cairn_status cairn_spring_set(cairn_world *world, cairn_spring_id id, cairn_real
     return CAIRN_OK;
 }
 
-static cairn_vec2 anchor_at(const cairn_body *body, cairn_offset2 arm)
-{
-    cairn_real x = body->x, y = body->y;
-    cairn_residue rx = body->x_residue, ry = body->y_residue;
-    cairn_coordinate_shift(&x, &rx, arm.x);
-    cairn_coordinate_shift(&y, &ry, arm.y);
-    return cairn_vec2_of(cairn_coordinate_round(x, rx), cairn_coordinate_round(y, ry));
-}
-
 cairn_status cairn_spring_anchors(cairn_world *world, cairn_spring_id id, cairn_vec2 *a, cairn_vec2 *b)
 {
     cairn_status status;
@@ -311,8 +302,8 @@ cairn_status cairn_spring_anchors(cairn_world *world, cairn_spring_id id, cairn_
     }
     measure(world, spring, &r);
     bool turned = (spring->flags & CAIRN_SPRING_TURNED) != 0;
-    *(turned ? b : a) = anchor_at(&world->bodies[spring->a], r.arm_a);
-    *(turned ? a : b) = anchor_at(&world->bodies[spring->b], r.arm_b);
+    *(turned ? b : a) = cairn_body_point(&world->bodies[spring->a], r.arm_a.x, r.arm_a.y);
+    *(turned ? a : b) = cairn_body_point(&world->bodies[spring->b], r.arm_b.x, r.arm_b.y);
     return CAIRN_OK;
 }
 
