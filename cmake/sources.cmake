@@ -17,8 +17,10 @@ set(CAIRN_SOURCES
     src/collide_polygon.c
     src/contact.c
     src/debug_draw.c
+    src/driven.c
     src/continuous.c
     src/hash.c
+    src/landing.c
     src/material.c
     src/meet.c
     src/motion.c

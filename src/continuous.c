@@ -433,4 +433,4 @@ static void clip(cairn_world *world)
     }
 }
 
-const cairn_continuous_class cairn_continuous = { meet, slide, clip };
+const cairn_continuous_class cairn_continuous = { meet, slide, clip, cairn_arbiters_hold_back, cairn_arbiters_land };

@@ -54,7 +54,7 @@ enum {
     CAIRN_ARBITER_BOUNCY = 1 << 4,
     CAIRN_ARBITER_SOLVED = 1 << 6,   /* pushes in this step */
     CAIRN_ARBITER_ON_STATIC = 1 << 7, /* a is static */
-    CAIRN_ARBITER_CAREFUL = 1 << 5   /* a body of fixed position takes part, or a long lever: not for the quick ways of sweep.c */
+    CAIRN_ARBITER_CAREFUL = 1 << 5   /* a body of fixed position takes part, or a long lever: not for the quick ways of sweep_quick.c */
 };
 
 /* arbiter.block: the number of its block, 0 if it is in none, and: */
@@ -86,7 +86,7 @@ enum {
     CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 
-static inline bool cairn_arbiter_idles(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_IDLE; }
+static inline bool cairn_arbiter_idles(const cairn_arbiter *arbiter) { return CAIRN_WITH_SHORTCUTS && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_IDLE; }
 static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
 {
     return CAIRN_MAX_POINTS > 1 && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; /* see cairn_world_slides() */
@@ -260,7 +260,7 @@ void cairn_bodies_finish(cairn_world *world);
 static inline cairn_body *cairn_body_skip(const cairn_world *world, cairn_body *body)
 {
     cairn_body *next = &world->bodies[(uint16_t)body->ux];
-    return next > body ? next : body + 1;
+    return CAIRN_WITH_SHORTCUTS && next > body ? next : body + 1;
 }
 
 /* ---- broad phase ---- */
@@ -271,6 +271,10 @@ static inline bool cairn_boxes_are_near(const cairn_body *a, const cairn_body *b
     return cairn_real_is_within(a->x - b->x, cairn_real_from_extents(a->extent_x, b->extent_x) + way)
         && cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y) + way);
 }
+
+/* ---- driven.c, landing.c: of worlds with continuous collision, see cairn_continuous_class ---- */
+void cairn_arbiters_hold_back(cairn_world *world);
+void cairn_arbiters_land(cairn_world *world);
 
 /* ---- narrow phase ---- */
 typedef struct cairn_pose {
@@ -411,7 +415,7 @@ void cairn_arbiters_follow(cairn_world *world);
 /* Do the rows of the step before serve for this one? */
 static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
-    return (int8_t)arbiter->path > CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
+    return CAIRN_WITH_HOLD && (int8_t)arbiter->path > CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
         && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
 }
 /* Not a slip that a contact may have: all of its past is forgotten. */
@@ -419,7 +423,7 @@ static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn
 /* How fast what two points have slipped is taken back, a sub-step. */
 static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const cairn_arbiter *arbiter)
 {
-    return arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
+    return !CAIRN_WITH_HOLD || arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
 }
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);

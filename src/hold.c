@@ -49,6 +49,9 @@ static cairn_motion way_of_hold(const cairn_body *a, const cairn_body *b)
 void cairn_arbiter_take_hold(const cairn_world *world, cairn_arbiter *arbiter)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
+    if (!CAIRN_WITH_HOLD) {
+        return;
+    }
     bool alone = !(arbiter->block & CAIRN_BLOCK_NUMBER);
     if (!cairn_arbiter_has_two(arbiter)) {
         arbiter->slip = -way_of_hold(a, b);
@@ -286,6 +289,9 @@ void cairn_arbiters_follow(cairn_world *world)
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
         arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
+        if (!CAIRN_WITH_HOLD) {
+            continue;
+        }
         if (flags & CAIRN_ARBITER_SOLVED) {
             follow(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
         } else if (cairn_arbiter_idles(arbiter)) {

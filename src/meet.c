@@ -161,7 +161,7 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
     if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP)) {
-        if (arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
+        if (CAIRN_WITH_SHORTCUTS && arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
             cairn_arbiter_take_turn(world, before, arbiter->path);
             return;
         }
@@ -203,7 +203,7 @@ CAIRN_APART void keep_aloft(cairn_world *world, cairn_arbiter *arbiter, cairn_bo
         return;
     }
     renew(world, arbiter, cairn_arbiter_has_two(arbiter) && !(arbiter->path & CAIRN_PATH_APART));
-    if (arbiter->friction_impulse != 0 || (((a->flags | b->flags) & CAIRN_BODY_MET) && !cairn_arbiter_idles(arbiter))) {
+    if (!CAIRN_WITH_SHORTCUTS || arbiter->friction_impulse != 0 || (((a->flags | b->flags) & CAIRN_BODY_MET) && !cairn_arbiter_idles(arbiter))) {
         cairn_arbiter_engage(world, arbiter, a, b);
     } else {
         cairn_arbiter_engage_unless_idle(world, arbiter);

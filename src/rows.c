@@ -85,7 +85,7 @@ void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, con
 static cairn_offset way_until(const cairn_world *world, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter,
                               const cairn_row *row, cairn_unit time)
 {
-    if (time == 0) {
+    if (!CAIRN_WITH_CONTINUOUS || time == 0) {
         return 0;
     }
     cairn_motion u = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, arbiter->normal_x, arbiter->normal_y)
@@ -147,7 +147,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     arbiter->path &= CAIRN_PATH_FRESH;
     if (cairn_arbiter_slips_past(a, b, arbiter)) {
         arbiter->path |= CAIRN_PATH_SLIDING;
-        if (manifold->time != 0) {
+        if (CAIRN_WITH_CONTINUOUS && manifold->time != 0) {
             cairn_arbiter_slide(a, b, arbiter, -until(b->vx - a->vx, world, manifold->time), -until(b->vy - a->vy, world, manifold->time));
         }
     }

@@ -112,7 +112,7 @@ static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pa
             at = quick[path & CAIRN_PATH_ALIKE ? 0 : path & CAIRN_PATH_TURN](world, at, end, begins_with_last);
         } else {
             at++;
-            if (!may_be_far(arbiter) || !cairn_is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter)) {
+            if (!CAIRN_WITH_SHORTCUTS || !may_be_far(arbiter) || !cairn_is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter)) {
                 careful(world, arbiter, begins_with_last);
             }
         }

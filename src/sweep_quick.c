@@ -151,7 +151,7 @@ CAIRN_INLINE bool is_out(const cairn_body *a, const cairn_body *b, const cairn_a
 {
     bool by_flag = path == CAIRN_PATH_CAREFUL || has_two_points(path);
     bool may_be_far = !may_be_apart(path) ? false : by_flag ? (arbiter->path & CAIRN_PATH_APART) != 0 : arbiter->rows[0].gap > 0;
-    return may_be_far && cairn_is_far(a, b, arbiter);
+    return CAIRN_WITH_SHORTCUTS && may_be_far && cairn_is_far(a, b, arbiter);
 }
 
 CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)

@@ -138,7 +138,9 @@ cairn_status cairn_world_step(cairn_world *world)
     cairn_bodies_look_ahead(world);
     cairn_arbiters_begin(world);
     find_pairs(world);
-    cairn_arbiters_rouse(world);
+    if (CAIRN_WITH_SHORTCUTS) {
+        cairn_arbiters_rouse(world);
+    }
     cairn_bodies_end_search(world);
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;

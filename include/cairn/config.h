@@ -60,6 +60,20 @@
 #define CAIRN_WITH_QUICK_WAYS 1
 #endif
 #endif
+/*
+ * What finds out that contacts and bodies have nothing to do in a step, and leaves them out of it: points that will not meet, bodies that only
+ * fall. It only saves time, too.
+ */
+#ifndef CAIRN_WITH_SHORTCUTS
+#define CAIRN_WITH_SHORTCUTS 1
+#endif
+/*
+ * Contacts that hold: rows that serve for more than a step, and what they remember of it (hold.c). Without, every contact is looked at anew in
+ * every step: a third less of flash for contacts, other bits than the full build's (the same on every target), and stacks stand half as high.
+ */
+#ifndef CAIRN_WITH_HOLD
+#define CAIRN_WITH_HOLD 1
+#endif
 /* Most points of a contact: 2, or 1 where all that moves is round, which takes a third off an arbiter. */
 #ifndef CAIRN_MAX_POINTS
 #define CAIRN_MAX_POINTS 2
@@ -69,7 +83,8 @@
 #if !CAIRN_IS_FLAG(CAIRN_WITH_SPRINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_BOUNCE) || !CAIRN_IS_FLAG(CAIRN_WITH_CONTINUOUS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_BLOCKS) || !CAIRN_IS_FLAG(CAIRN_WITH_SLEEP) || !CAIRN_IS_FLAG(CAIRN_WITH_QUADTREE) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS)
+    || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD)
 #error "each CAIRN_WITH_... must be 0 or 1"
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2

@@ -37,6 +37,8 @@ typedef struct cairn_continuous_class {
     void (*slide)(const struct cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, struct cairn_manifold *out);
     /* Cut displacements short where they would carry a fast body's core into another one. */
     void (*clip)(struct cairn_world *world);
+    void (*hold_back)(struct cairn_world *world); /* before the search: what is driven against what it touches, see driven.c */
+    void (*land)(struct cairn_world *world);      /* between sub-steps: what stopped something in flight, see landing.c */
 } cairn_continuous_class;
 
 extern const cairn_continuous_class cairn_continuous;

@@ -35,6 +35,7 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"solver->solve\(", ("solver_soft:solve", "solver_slides:solve")),
     *((rf"sleep\(world\)->{name}\(", (f"sleep:{name}",)) for name in ("wake", "settle", "disturb")),
     *((rf"continuous\(world\)->{name}\(", (f"continuous:{name}",)) for name in ("meet", "slide", "clip")),
+    *((rf"continuous\(world\)->{name}\(", (f"cairn_arbiters_{name}",)) for name in ("hold_back", "land")),
     (r"bounce\(world\)->impact\(", ("bounce:impact_phase",)),
     (r"block\(world\)->kind->find\(", ("cairn_block_find",)),
     (r"block\(world\)->kind->release\(", ("cairn_block_release",)),

@@ -58,7 +58,7 @@ FEATURES = {
     "POLYGONS": Feature("polygons", ("shape_polygon", "collide_polygon", "polygon_init")),
     "HULLS": Feature("polygons from points", (), ("cairn_polygon_init", "cairn_polygon_init_hull")),
     "RESTITUTION": Feature("restitution", ("bounce", "bounce_meet", "bounce_strike")),
-    "CONTINUOUS": Feature("continuous collision", ("continuous",)),
+    "CONTINUOUS": Feature("continuous collision", ("continuous", "driven", "landing")),
     "SLEEP": Feature("sleep", ("sleep",)),
     "QUADTREE": Feature("the quadtree", ("quadtree", "quadtree_walk")),
     "SPRINGS": Feature("springs", ("spring", "spring_map", "spring_ends", "spring_network", "spring_path",

@@ -20,10 +20,10 @@ from .scene import Scene
 STAGES: dict[str, tuple[str, ...]] = {
     "broad": ("world.c", "broad_pairs.c", "quadtree*", "cairn_bodies_look_ahead", "cairn_bodies_end_search",
               "set_extents"),
-    "narrow": ("arbiter.c", "meet.c", "shape_*", "collide_*", "continuous.c", "contact.c"),
+    "narrow": ("arbiter.c", "meet.c", "shape_*", "collide_*", "continuous.c", "driven.c", "contact.c"),
     "prepare": ("rows.c",),
-    "sub-steps": ("solver_*", "sweep*", "block*", "bounce*.c", "spring*", "cairn_bodies_start", "cairn_bodies_repeat",
-                  "cairn_body_limit_speed"),
+    "sub-steps": ("solver_*", "sweep*", "landing.c", "block*", "bounce*.c", "spring*", "cairn_bodies_start",
+                  "cairn_bodies_repeat", "cairn_body_limit_speed"),
     "finish": ("motion.c", "sleep.c"),
 }  # fmt: skip
 STEP = "cairn_world_step"
