@@ -62,14 +62,15 @@
 #endif
 /*
  * What finds out that contacts and bodies have nothing to do in a step, and leaves them out of it: points that will not meet, bodies that only
- * fall. It only saves time, too.
+ * fall. It only saves time, too: without it the bits are the same, but where continuous collision cuts a body's way short in its free fall.
  */
 #ifndef CAIRN_WITH_SHORTCUTS
 #define CAIRN_WITH_SHORTCUTS 1
 #endif
 /*
- * Contacts that hold: rows that serve for more than a step, and what they remember of it (hold.c). Without, every contact is looked at anew in
- * every step: a third less of flash for contacts, other bits than the full build's (the same on every target), and stacks stand half as high.
+ * Contacts that hold: rows that serve for more than a step, and the memory of the load that rests on them (hold.c). Without, every contact is looked
+ * at anew in every step, which takes time, and what is stacked sinks in deeper: the pyramid of 55 boxes by 2.6 mm in place of 0.3. Other bits than
+ * the full build's; the same on every target.
  */
 #ifndef CAIRN_WITH_HOLD
 #define CAIRN_WITH_HOLD 1
