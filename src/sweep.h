@@ -47,7 +47,7 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 #define CAIRN_GIVEN CAIRN_MOTION(1.0 / 16)
 
 /* By a path for which it is right, a constant where a quick way asks. */
-CAIRN_INLINE bool cairn_is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+CAIRN_INLINE cairn_size cairn_pair_size(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
     cairn_size size = cairn_size_with(cairn_size_of(b->vx), b->vy);
     size = with_spins ? cairn_size_with(size, b->w) : size;
@@ -55,7 +55,11 @@ CAIRN_INLINE bool cairn_is_calm(const cairn_body *a, const cairn_body *b, int pa
         size = cairn_size_with(cairn_size_with(size, a->vx), a->vy);
         size = with_spins ? cairn_size_with(size, a->w) : size;
     }
-    return cairn_size_is_below(size, CAIRN_CALM);
+    return size;
+}
+CAIRN_INLINE bool cairn_is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+{
+    return cairn_size_is_below(cairn_pair_size(a, b, path, with_spins), CAIRN_CALM);
 }
 
 /* Faster pairs are not far from meeting: no sum of that question may wrap. Nor may its rounding tell. */

@@ -276,6 +276,15 @@ static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { retur
 static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }
 static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+#define CAIRN_KNOWS_QUIET 0
+#define CAIRN_QUIET CAIRN_MOTION(1.2e-4)
+static inline cairn_motion cairn_quiet_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+static inline cairn_motion cairn_quiet_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
+static inline cairn_motion cairn_quiet_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
+static inline cairn_fine cairn_quiet_share(cairn_motion a, cairn_share s) { return a * s; }
+static inline cairn_motion cairn_quiet_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
+static inline cairn_motion cairn_quiet_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }
+static inline cairn_motion cairn_quiet_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {

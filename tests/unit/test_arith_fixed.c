@@ -1120,6 +1120,26 @@ void test_parts_in_fine_units_are_rounded_to_half_a_unit(void)
     }
 }
 
+/* Greatest and least ones come by the first rounds. */
+static int32_t quiet(int32_t i, int32_t limit) { return i < 8 ? (i & 1 ? limit : -limit) : any() % (limit + 1); }
+
+void test_products_of_quiet_motions_are_those_of_any(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t share = i < 8 ? ONE : any() & (ONE - 1), a = quiet(i, CAIRN_QUIET - 1), c = quiet(i >> 1, CAIRN_QUIET - 1), half = a / 2, other = c / 2;
+        int16_t j = (int16_t)quiet(i, 16384), k = (int16_t)quiet(i >> 1, 16384), x = (int16_t)(j - j / 4), y = (int16_t)(k / 2);
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_along(a, c, x, y), cairn_quiet_along(a, c, x, y));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_levers(a, j, c, k), cairn_quiet_levers(a, j, c, k));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_ratio(3 * a, k), cairn_quiet_ratio(3 * a, k));
+        TEST_ASSERT_EQUAL_INT32(cairn_fine_share(a, share), cairn_quiet_share(a, share));
+        TEST_ASSERT_EQUAL_INT32(cairn_fine_dir(a, j), cairn_quiet_fine_dir(a, j));
+        TEST_ASSERT_EQUAL_INT32(cairn_fine_lever(2 * a, j), cairn_quiet_fine_lever(2 * a, j));
+        TEST_ASSERT_EQUAL_INT32(cairn_fine_along(2 * half, 2 * other, x, y), cairn_quiet_fine_along(2 * half, 2 * other, x, y));
+    }
+    TEST_ASSERT_EQUAL_INT32(0, cairn_quiet_share(1234, 0));
+    TEST_ASSERT_EQUAL_INT32(1235, cairn_quiet_share(1235, CAIRN_SHARE(0.5)));
+}
+
 void test_shifted_motions_are_rounded_down(void)
 {
     TEST_ASSERT_EQUAL_INT32(2, cairn_motion_shifted(23, 3));
