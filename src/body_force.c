@@ -1,12 +1,16 @@
 /* Forces and torques, which act during the next step, and impulses, which act at once. */
 #include "engine.h"
 
+/* It wakes. */
 static cairn_body *find_dynamic(cairn_world *world, cairn_body_id id, cairn_status *status)
 {
     cairn_body *body = cairn_body_find_to_change(world, id, status);
     if (body != NULL && !cairn_body_is_dynamic(body)) {
         *status = cairn_fail(world, CAIRN_ERROR_KIND);
         body = NULL;
+    }
+    if (body != NULL) {
+        cairn_body_wake_up(world, body);
     }
     return body;
 }
@@ -36,7 +40,6 @@ cairn_status cairn_body_apply_force(cairn_world *world, cairn_body_id id, cairn_
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        cairn_body_wake_up(world, body);
         add_linear(body, &body->ux, &body->uy, force, cairn_wide_mul(world->substep, world->substep));
     }
     return status;
@@ -47,7 +50,6 @@ cairn_status cairn_body_apply_torque(cairn_world *world, cairn_body_id id, cairn
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        cairn_body_wake_up(world, body);
         add_angular(body, &body->uw, torque, cairn_wide_mul(world->substep, world->substep));
     }
     return status;
@@ -64,7 +66,6 @@ cairn_status cairn_body_apply_impulse(cairn_world *world, cairn_body_id id, cair
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        cairn_body_wake_up(world, body);
         add_linear(body, &body->vx, &body->vy, impulse, world->substep);
         world->driven = true;
         cairn_body_limit_speed(world, body);
@@ -77,7 +78,6 @@ cairn_status cairn_body_apply_angular_impulse(cairn_world *world, cairn_body_id 
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        cairn_body_wake_up(world, body);
         add_angular(body, &body->w, impulse, world->substep);
         cairn_body_limit_speed(world, body);
     }

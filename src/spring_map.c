@@ -62,7 +62,7 @@ static void oscillator(cairn_wide w, cairn_wide d, cairn_share *sum)
     k[1] = cairn_wide_to_share(cairn_wide_div(w, scale));
     k[2] = -k[1];
     k[3] = -cairn_wide_to_share(cairn_wide_div(d, scale));
-    memset(sum, 0, ELEMENTS * sizeof *sum);
+    cairn_clear(sum, ELEMENTS * sizeof *sum);
     for (int i = 0; i < TERMS; i++) {
         multiply(term, k);
         for (int n = 0; n < ELEMENTS; n++) {
