@@ -107,6 +107,27 @@ void test_products_round_halves_upwards(void)
     TEST_ASSERT_EQUAL_INT32(1, cairn_dot32(1 << 15, 1 << 13, 1 << 15, 1 << 13, 30));
 }
 
+void test_products_of_64_bits_are_exact(void)
+{
+    for (int i = 0; i < 20000; i++) {
+        int32_t a = any(), b = any();
+        TEST_ASSERT_TRUE(cairn_times(a, b) == (int64_t)a * b);
+        expect(clamped(nearest_up((int64_t)a * b, 1 << 20)), cairn_mul_clamped(a, b, 20), a, b);
+    }
+    TEST_ASSERT_TRUE(cairn_times(INT32_MIN, INT32_MIN) == (int64_t)1 << 62);
+    TEST_ASSERT_TRUE(cairn_times(INT32_MIN, INT32_MAX) == -((int64_t)1 << 62) + ((int64_t)1 << 31));
+}
+
+void test_inverse_of_a_wide_number_is_its_quotient(void)
+{
+    for (int i = 0; i < 1000; i++) {
+        cairn_wide x = cairn_wide_of(any(), -16), inverse = cairn_wide_inverse(x), quotient = cairn_wide_div(cairn_wide_from_int(1), x);
+        TEST_ASSERT_EQUAL_UINT32(quotient.mantissa, inverse.mantissa);
+        TEST_ASSERT_EQUAL_INT32(quotient.exponent, inverse.exponent);
+    }
+    TEST_ASSERT_TRUE(cairn_wide_is_zero(cairn_wide_inverse(cairn_wide_zero())));
+}
+
 void test_products_are_the_nearest(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
