@@ -223,7 +223,7 @@ static cairn_spring *descend(const cairn_world *world, cairn_spring *first, bool
 static inline void shift(cairn_body *body, cairn_motion x, cairn_motion y)
 {
     cairn_motion vx = body->vx + x, vy = body->vy + y;
-    if (cairn_size_is_below(cairn_size_with(cairn_size_of(vx), vy), SLOW)) {
+    if (!CAIRN_SMALL && cairn_size_is_below(cairn_size_with(cairn_size_of(vx), vy), SLOW)) {
         body->vx = vx;
         body->vy = vy;
         body->ux += x;

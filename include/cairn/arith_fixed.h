@@ -71,7 +71,7 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #endif
 /* 0 where the product of two 32-bit numbers costs no more than to ask whether it is needed. */
 #ifndef CAIRN_PORT_ASKS
-#define CAIRN_PORT_ASKS 1
+#define CAIRN_PORT_ASKS (!CAIRN_SMALL)
 #endif
 #ifndef CAIRN_PORT_DOT16
 #define CAIRN_PORT_DOT16(a, b, c, d, shift) \
@@ -585,7 +585,7 @@ static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) 
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {
-    return s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
+    return !CAIRN_SMALL && s == CAIRN_SHARE(0.5) ? (a >> 1) + (a & 1) : cairn_mul32(a, s, 30); /* equal masses are the common case */
 }
 /* Parts of a change before they are rounded, Q3.29; of changes below 4. */
 typedef int32_t cairn_fine;
@@ -743,7 +743,7 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d)
 /* x * f / 2^shift, 1 <= shift <= 31, rounded. The result must fit. */
 int64_t cairn_mul64(int64_t x, int32_t f, int shift);
 /* x < 2^28 (1 m), which most are: the short way, of the same bits, is open. */
-static inline bool cairn_push_is_short(cairn_push x) { return (uint64_t)(x + ((cairn_push)1 << 28)) < (uint64_t)1 << 29; }
+static inline bool cairn_push_is_short(cairn_push x) { return !CAIRN_SMALL && (uint64_t)(x + ((cairn_push)1 << 28)) < (uint64_t)1 << 29; }
 static inline cairn_push cairn_push_clamp(cairn_push x, cairn_push limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 static inline cairn_push cairn_push_from_motion(cairn_motion x) { return x; }
 static inline cairn_motion cairn_motion_from_push(cairn_push x) { return cairn_clamp64(x); }
