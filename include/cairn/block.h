@@ -2,7 +2,7 @@
  * Blocks, for heavy bodies on light ones. Contacts of bodies of more than 30 times each other's mass are more than the solver's sweeps can
  * settle: at 100 to 1 a box sinks into the one below by a centimetre, from 1000 on that one is squeezed out. With blocks the light
  * bodies between heavy ones, up to six contacts that hang together, are solved at once, to ratios of 262144. It takes 2.3 KB of RAM,
- * 10 KB of flash, and nothing in steps without such contacts.
+ * 7 KB of flash, and nothing in steps without such contacts.
  */
 #ifndef CAIRN_BLOCK_H
 #define CAIRN_BLOCK_H

@@ -129,7 +129,7 @@
 #define CAIRN_APART static
 #endif
 
-/* For functions of one file that are called with constants: one copy of them where bytes count, else what the compiler makes of each call. */
+/* For functions of one file that gcc would copy to where they are called: one copy of them where bytes count and that is smaller. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define CAIRN_ONCE static __attribute__((noinline))
 #else
