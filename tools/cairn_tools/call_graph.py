@@ -41,7 +41,6 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"block\(world\)->kind->release\(", ("cairn_block_release",)),
     *((rf"block\(world\)->kind->{name}\(", (f"block:{name}",)) for name in ("warm_start", "biased_pass", "relax_pass")),
     (r"\bpass\(world, world->block\)", ("block:warm_start_block", "block:biased_block", "block:relax_block")),
-    (r"\bbias\(world, arbiter", ("block:bias_point", "block:relax_point")),
     (r"springs\(world\)->kind->prepare\(", ("cairn_springs_prepare",)),
     (r"springs\(world\)->kind->substep\(", ("cairn_springs_substep",)),
     *((rf"springs\(world\)->kind->{name}\(", (f"spring:{name}",)) for name in ("joined", "remove_body", "link")),
