@@ -45,6 +45,8 @@ class FeatureSet:
 
 BASE = ("BALLS", "WALLS", "BOXES")
 SHAPES = (*BASE, "POLYGONS", "RESTITUTION")
+
+
 @dataclass(frozen=True)
 class Feature:
     """What it is; the files of src/ that no game without it may contain, and functions of other files."""
