@@ -32,7 +32,7 @@ WRITES, RUNS, TAKES_ROOM = 1, 4, 2  # SHF_WRITE, SHF_EXECINSTR, SHF_ALLOC
 
 @dataclass(frozen=True)
 class FeatureSet:
-    """A tiny game: its capacities, the features it calls, and issue 6's goals in bytes."""
+    """A tiny game: its capacities, the features it calls, issue 6's goals in bytes, and options of config.h."""
 
     name: str
     what: str
@@ -41,6 +41,7 @@ class FeatureSet:
     arbiters: int = 64
     flash_goal: int | None = None
     ram_goal: int | None = None
+    options: tuple[str, ...] = ()
 
 
 BASE = ("BALLS", "WALLS", "BOXES")
@@ -86,14 +87,22 @@ CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "ho
               "motion", "rows", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick", "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
 BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
+# The smallest of what these games can be told to take: whatever config.h can leave out.
+LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
+    "SPRINGS", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING",
+    "SHORTCUTS", "HOLD"))  # fmt: skip
+LEAN_BALLS = (*LEAN, "CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1")
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
 SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),
     FeatureSet("balls", "balls only", ("BALLS",), 16, 16),
     FeatureSet("balls_walls", "balls and walls", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560),
+    FeatureSet("balls_walls_lean", "balls and walls, by options", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560,
+               LEAN_BALLS),
     FeatureSet("boxes", "boxes only", ("WALLS", "BOXES"), 16, 16),
     FeatureSet("boxes_springs", "boxes and springs", ("WALLS", "BOXES", "SPRINGS"), 16, 16),
     FeatureSet("shapes", "balls, boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),
+    FeatureSet("shapes_lean", "the same, by options", SHAPES, 32, 64, 10 * 1024, 8 * 1024, LEAN),
     FeatureSet("everything", "everything in the library", EVERYTHING, 32, 64, 20 * 1024),
     FeatureSet("base", "balls, walls and boxes", BASE),
     *(FeatureSet(name.lower(), f"+ {feature.what}", (*BASE, *NEEDS.get(name, ()), name))
@@ -141,7 +150,7 @@ def build(core: str) -> dict[str, Path]:
     """The images by the sets' names."""
     _ask_for_compiler(core)
     folder = engine.BUILDS / f"footprint-{core}"
-    sets = ";".join(f"{e.name}:{e.bodies}:{e.arbiters}:{','.join(e.features)}" for e in SETS)
+    sets = ";".join(f"{e.name}:{e.bodies}:{e.arbiters}:{','.join(e.features)}:{','.join(e.options)}" for e in SETS)
     toolchain = engine.ROOT / "cmake" / f"toolchain-{core}.cmake"
     with engine.lock(f"footprint-{core}"):
         engine.check_build(engine.cmake("-S", str(PROJECT), "-B", str(folder), "-G", "Ninja", f"-DSETS={sets}",

@@ -132,7 +132,8 @@ def markdown(record: Record) -> str:
                          f"{kept['stack']:,}"])  # fmt: skip
     others = ", ".join(f"{name} {size}" for name, size in OTHERS.items())
     return "\n".join([
-        "Bytes of a tiny game beyond the same image without Cairn, `-Os -flto`, the options of `config.h` as they are;",
+        "Bytes of a tiny game beyond the same image without Cairn, `-Os -flto`, the options of `config.h` as they are,",
+        "but where it says *by options*: there all is off that the game can do without, holding and shortcuts as well;",
         "constants, RAM and stack on the M0. RAM is the world's pools; stack, of `main()` and all that it calls, is",
         f"the most that there can be, by the compiler's call graph. Other engines on an M0, in KB of flash: {others}.",
         "", *_table(sets), "",
