@@ -259,8 +259,11 @@ void cairn_bodies_finish(cairn_world *world);
  */
 static inline cairn_body *cairn_body_skip(const cairn_world *world, cairn_body *body)
 {
+    if (!CAIRN_WITH_SHORTCUTS || (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING))) {
+        return body + 1; /* its velocities are its own: a spring pulls at what sleeps, too */
+    }
     cairn_body *next = &world->bodies[(uint16_t)body->ux];
-    return CAIRN_WITH_SHORTCUTS && next > body ? next : body + 1;
+    return next > body ? next : body + 1;
 }
 
 /* ---- broad phase ---- */

@@ -153,7 +153,8 @@ void cairn_path_factorise(cairn_world *world, cairn_spring *first)
     first->turned = 0;
     for (cairn_spring *spring = first; spring != NULL;) {
         cairn_spring *next = cairn_spring_behind(world->springs, spring);
-        cairn_factor gain = cairn_factor_mul(cairn_factor_from_share(CAIRN_SHARE(1) - spring->yield), cairn_spring_mass(world, spring));
+        cairn_share yield = spring->flags & CAIRN_SPRING_EXACT ? 0 : spring->yield; /* of an exact one it says another thing, and its equation is not used */
+        cairn_factor gain = cairn_factor_mul(cairn_factor_from_share(CAIRN_SHARE(1) - yield), cairn_spring_mass(world, spring));
         cairn_factor pivot = CAIRN_FACTOR(1);
         spring->before = spring->behind = 0;
         if (cairn_spring_is_off_centre(spring)) {
