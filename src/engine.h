@@ -518,6 +518,7 @@ typedef struct cairn_spring_class {
     void (*substep)(cairn_world *world, int substep);
     bool (*joined)(const cairn_world *world, uint16_t a, uint16_t b); /* by a spring without contact */
     void (*remove_body)(cairn_world *world, uint16_t body);
+    void (*wake)(cairn_world *world, uint16_t body); /* what is at the other ends of its springs */
     void (*link)(cairn_world *world, void (*visit)(cairn_world *world, uint16_t a, uint16_t b)); /* for sleep */
 } cairn_spring_class;
 

@@ -45,9 +45,15 @@ static bool wake(cairn_world *world)
     return world->stats.awake != at_first;
 }
 
-/* A body that does not move has no contact with sleepers: where it is put among them, they have to look for themselves. */
+/*
+ * A body that does not move has no contact with sleepers: where it is put among them, they have to look for themselves. What hangs on it by
+ * springs hangs on it no more as it did.
+ */
 static void disturb(cairn_world *world, const cairn_body *body)
 {
+    if (cairn_world_springs(world) != NULL) {
+        cairn_world_springs(world)->kind->wake(world, (uint16_t)(body - world->bodies));
+    }
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *other = &world->bodies[i];
         if (is_asleep(other) && cairn_boxes_are_near(body, other, 0)) {

@@ -90,12 +90,24 @@ static void release(cairn_world *world, cairn_spring *spring)
     world->springs->changed = true;
 }
 
+static bool ends_at(const cairn_spring *spring, uint16_t body) { return (spring->flags & CAIRN_SPRING_USED) && (spring->a == body || spring->b == body); }
+
 static void remove_body(cairn_world *world, uint16_t body)
 {
     for (uint16_t i = 0; i < world->springs->end; i++) {
         cairn_spring *spring = &world->springs->springs[i];
-        if ((spring->flags & CAIRN_SPRING_USED) && (spring->a == body || spring->b == body)) {
+        if (ends_at(spring, body)) {
             release(world, spring);
+        }
+    }
+}
+
+static void wake(cairn_world *world, uint16_t body)
+{
+    for (uint16_t i = 0; i < world->springs->end; i++) {
+        const cairn_spring *spring = &world->springs->springs[i];
+        if (ends_at(spring, body)) {
+            cairn_body_wake_up(world, &world->bodies[spring->a == body ? spring->b : spring->a]);
         }
     }
 }
@@ -110,7 +122,7 @@ static void link(cairn_world *world, void (*visit)(cairn_world *world, uint16_t 
     }
 }
 
-static const cairn_spring_class class_of_springs = { cairn_springs_prepare, cairn_springs_substep, joined, remove_body, link };
+static const cairn_spring_class class_of_springs = { cairn_springs_prepare, cairn_springs_substep, joined, remove_body, wake, link };
 
 /* ---- for the game ---- */
 

@@ -33,9 +33,17 @@ static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
     return cairn_body_is_dynamic(body) && !(body->flags & CAIRN_BODY_FIXED_POSITION);
 }
 
+/*
+ * Pulls in this step: an end of it is dynamic and awake. Which stands for all that hangs together by springs, for that sleeps and wakes as a whole.
+ * A platform that stands still is awake, but what hangs on it may sleep: nobody would take the pull back from a velocity that is not used.
+ */
+static inline bool cairn_body_is_pulled(const cairn_body *body)
+{
+    return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP | CAIRN_BODY_TYPE)) == (CAIRN_BODY_USED | CAIRN_DYNAMIC);
+}
 static inline bool cairn_spring_is_active(const cairn_world *world, const cairn_spring *spring)
 {
-    return cairn_body_is_active(&world->bodies[spring->a]) || cairn_body_is_active(&world->bodies[spring->b]);
+    return cairn_body_is_pulled(&world->bodies[spring->a]) || cairn_body_is_pulled(&world->bodies[spring->b]);
 }
 
 /* The spring behind one on its path, null if there is none. */

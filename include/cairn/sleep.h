@@ -1,6 +1,6 @@
 /*
- * Sleep: groups of touching bodies that have been at rest for half a second stop costing anything until something
- * touches, moves, pushes, changes or removes one of them.
+ * Sleep: groups of bodies that touch or are joined by springs, and have been at rest for half a second, stop costing anything until something
+ * touches, moves, pushes, changes or removes one of them, or one of their springs or the other end of it. Then the group wakes as a whole.
  */
 #ifndef CAIRN_SLEEP_H
 #define CAIRN_SLEEP_H

@@ -1,4 +1,5 @@
 /* Sleep: who falls asleep, who does not, and all that wakes. */
+# include "../../src/engine.h"
 # include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
@@ -7,7 +8,7 @@ static const cairn_shape ground = CAIRN_BOX(CAIRN_F(40), CAIRN_F(1));
 static const cairn_shape peg = CAIRN_CIRCLE(CAIRN_F(0.05));
 CAIRN_SPRINGS(coils, 4);
 
-static cairn_body_id floor_id, low, high;
+static cairn_body_id floor_id, low, high, hook;
 
 /* Two boxes, one on the other, asleep. */
 void setUp(void)
@@ -280,7 +281,8 @@ void test_any_motion_of_a_platform_keeps_awake(void)
 /* Hang a ball by a spring beside the boxes, and let it fall asleep. */
 static cairn_body_id hang(cairn_spring_id *spring)
 {
-    cairn_body_id hook = put_static(&peg, CAIRN_F(5), CAIRN_F(6)), load = put(&ball, CAIRN_F(5), CAIRN_F(4));
+    hook = put_static(&peg, CAIRN_F(5), CAIRN_F(6));
+    cairn_body_id load = put(&ball, CAIRN_F(5), CAIRN_F(4));
     cairn_spring_def def = cairn_spring_def_default(hook, load);
     def.stiffness = cairn_wide_from_int(100);
     def.damping = cairn_wide_from_int(20);
@@ -304,7 +306,8 @@ void test_what_hangs_on_a_moving_platform_stays_awake(void)
         yard_def lift = def_at(&peg, CAIRN_F(20) * (i + 1), CAIRN_F(6));
         lift.type = CAIRN_KINEMATIC;
         lift.velocity.y = CAIRN_F(0.01);
-        cairn_body_id hook = make(&lift), load = put(&ball, CAIRN_F(20) * (i + 1), CAIRN_F(4));
+        hook = make(&lift);
+        cairn_body_id load = put(&ball, CAIRN_F(20) * (i + 1), CAIRN_F(4));
         cairn_spring_def def = cairn_spring_def_default(i == 0 ? hook : load, i == 0 ? load : hook);
         def.stiffness = cairn_wide_from_int(100);
         def.damping = cairn_wide_from_int(20);
@@ -357,6 +360,80 @@ void test_a_spring_carries_the_waking_over(void)
     ASSERT_OK(cairn_body_apply_impulse(world, far, at(0, CAIRN_F(1))));
     run(1);
     ASSERT_BOTH_AWAKE();
+}
+
+/* A lamp hangs on a platform that stands still, beside a ball that rolls and keeps the world at work. */
+static cairn_body_id hang_on_platform(cairn_real damping)
+{
+    yard_def def = def_at(&peg, CAIRN_F(5), CAIRN_F(6));
+    def.type = CAIRN_KINEMATIC;
+    hook = make(&def);
+    cairn_body_id load = put(&ball, CAIRN_F(5), CAIRN_F(3.9214602)); /* m g / k below the spring's rest */
+    cairn_spring_def spring = cairn_spring_def_default(hook, load);
+    spring.rest_length = CAIRN_F(2);
+    spring.stiffness = cairn_wide_from_int(100);
+    spring.damping = cairn_wide_from_real(damping);
+    TEST_ASSERT_FALSE(cairn_spring_id_is_null(cairn_spring_create(world, &spring)));
+    def = def_at(&ball, CAIRN_F(-18), CAIRN_F(0.5));
+    def.velocity.x = CAIRN_F(1);
+    def.angular_velocity = CAIRN_F(-2);
+    make(&def);
+    run(240);
+    TEST_ASSERT_FALSE(awake(load));
+    return load;
+}
+
+/* A platform that stands still wakes nothing, and is awake all the same: its springs once drove what slept on them to 16 m/s, which it had when it woke. */
+void test_a_sleeper_on_a_spring_gains_no_speed(void)
+{
+    static const cairn_real damping[] = { CAIRN_F(5), CAIRN_F(20) }; /* the exact map, and the implicit one */
+    for (int i = 0; i < 2; i++) {
+        setUp();
+        cairn_body_id load = hang_on_platform(damping[i]);
+        ASSERT_NEAR_VEC2(0, 0, 0, cairn_body_velocity(world, load));
+        run(60);
+        TEST_ASSERT_FALSE(awake(load));
+        ASSERT_NEAR_VEC2(0, 0, 0, cairn_body_velocity(world, load));
+        ASSERT_OK(cairn_body_wake(world, load));
+        run(60);
+        ASSERT_NEAR(0.01, 3.9214602, y_of(load));
+    }
+}
+
+void test_a_platform_that_sets_out_wakes_what_hangs_on_it(void)
+{
+    cairn_body_id load = hang_on_platform(CAIRN_F(20));
+    ASSERT_OK(cairn_body_set_velocity(world, hook, at(CAIRN_F(0.01), 0)));
+    run(1);
+    TEST_ASSERT_TRUE(awake(load));
+}
+
+/* Nothing is left of what held it where it is: whoever drags a hook by its place expects the load to follow. */
+void test_putting_a_hook_elsewhere_wakes_what_hangs_on_it(void)
+{
+    cairn_spring_id spring;
+    for (int i = 0; i < 2; i++) {
+        setUp();
+        cairn_body_id load = i == 0 ? hang(&spring) : hang_on_platform(CAIRN_F(20));
+        ASSERT_OK(cairn_body_set_transform(world, hook, at(CAIRN_F(6), CAIRN_F(6)), 0));
+        run(60);
+        TEST_ASSERT_TRUE(x_of(load) > CAIRN_F(5.2));
+    }
+}
+
+/*
+ * Walks over the bodies skip those that do nothing by a place that the first of them keeps in ux. What a spring or a contact holds
+ * keeps none there, since these add to ux.
+ */
+void test_walks_over_bodies_take_no_push_for_a_place(void)
+{
+    cairn_body *body = &yard_bodies[1];
+    body->ux = 5;
+    TEST_ASSERT_EQUAL_PTR(CAIRN_WITH_SHORTCUTS ? &yard_bodies[5] : body + 1, cairn_body_skip(world, body));
+    body->flags |= CAIRN_BODY_SPRING;
+    TEST_ASSERT_EQUAL_PTR(body + 1, cairn_body_skip(world, body));
+    body->flags = (uint16_t)((body->flags & ~(unsigned)CAIRN_BODY_SPRING) | CAIRN_BODY_MET);
+    TEST_ASSERT_EQUAL_PTR(body + 1, cairn_body_skip(world, body));
 }
 
 /* ---- refusals ---- */
