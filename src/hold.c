@@ -83,8 +83,8 @@ typedef struct relative_motion {
  */
 static inline bool find_motion(const cairn_body *a, const cairn_body *b, relative_motion *by, bool turns)
 {
-    by->x = b->dx - a->dx;
-    by->y = b->dy - a->dy;
+    by->x = cairn_motion_apart(a->dx, b->dx, 0);
+    by->y = cairn_motion_apart(a->dy, b->dy, 0);
     by->spin_a = turns ? a->dw : 0;
     by->spin_b = turns ? b->dw : 0;
     cairn_size size = cairn_size_with(cairn_size_of(by->x), by->y);

@@ -79,6 +79,9 @@ static uint16_t root_of(cairn_world *world, uint16_t index)
 static void join(cairn_world *world, uint16_t a, uint16_t b)
 {
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
+    if (!cairn_body_is_active(body_a) || !cairn_body_is_active(body_b)) {
+        return; /* static, or a spring between two that sleep: these have no links */
+    }
     if (cairn_body_is_dynamic(body_a) && cairn_body_is_dynamic(body_b)) {
         uint16_t root_a = root_of(world, a), root_b = root_of(world, b);
         cairn_body_set_link(&world->bodies[root_a > root_b ? root_a : root_b], root_a > root_b ? root_b : root_a);

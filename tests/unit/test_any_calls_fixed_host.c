@@ -1,107 +1,18 @@
 /*
  * Any calls in any order with any numbers: nothing undefined (the sanitizers' builds look), nothing beyond its limits, no body lost, and the
- * same calls give the same world. Pools are small, so that they are full most of the time. Ids are live, stale or never made.
+ * same calls give the same world, however pairs are found. `tools/cairn fuzz` plays more worlds than the test does: CAIRN_FUZZ_WORLDS from
+ * CAIRN_FUZZ_SEED on, each told before it is played.
  */
-# include "../support/arith_random.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+# include "../support/any_world.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
-#include <cairn/cairn.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <unity.h>
 
-enum {
-    WORLDS = 400,
-    CALLS = 250,
-    BODIES = 12,
-    ARBITERS = 24,
-    SPRINGS = 8,
-    POLYGONS = 6,
-    MODELS = 32,
-    IDS = 32 /* more than ever live */
-};
-
-CAIRN_WORLD(yard, BODIES, ARBITERS);
-CAIRN_SPRINGS(coils, SPRINGS);
-CAIRN_SPRING_MESHES(nets, 6, SPRINGS, 60);
-CAIRN_QUADTREE(tree, BODIES, 9, 40);
-CAIRN_BLOCKS(blocks);
-
-static cairn_world *world;
-static arith_random r;
-static cairn_shape shapes[8];
-static cairn_polygon polygons[POLYGONS];
-static int polygon_count;
-static cairn_material materials[6];
-static cairn_body_model models[MODELS];
-static cairn_body_id ids[IDS];
-static cairn_spring_id spring_ids[IDS];
+enum { WORLDS = 200 };
 
 void setUp(void) {}
 void tearDown(void) {}
-
-/* ---- arguments ---- */
-
-static uint32_t below(uint32_t count) { return arith_random_bits(&r) % count; }
-static bool one_in(uint32_t count) { return below(count) == 0; }
-static cairn_real between(cairn_real low, cairn_real high) { return low + (cairn_real)below((uint32_t)(high - low) + 1); }
-/* What a game would say, and now and then what none should. */
-static cairn_real number(cairn_real low, cairn_real high) { return one_in(12) ? arith_random_argument(&r) : between(low, high); }
-static cairn_vec2 vector(cairn_real size) { return cairn_vec2_of(number(-size, size), number(-size, size)); }
-static cairn_angle angle(void) { return (cairn_angle)arith_random_bits(&r); }
-static cairn_body_id any_body(void) { return ids[below(IDS)]; }
-static cairn_spring_id any_spring(void) { return spring_ids[below(IDS)]; }
-static const cairn_body_model *any_model(void) { return one_in(40) ? NULL : &models[below(MODELS)]; }
-
-static cairn_wide stiffness(void)
-{
-    cairn_wide x = cairn_wide_of((int32_t)(arith_random_bits(&r) >> below(31)) & 0x7FFFFFFF, one_in(20) ? 20 : -16);
-    return x;
-}
-
-static void make_shapes(void)
-{
-    const cairn_shape circle = CAIRN_CIRCLE(0), box = CAIRN_BOX(0, 0);
-    for (int k = 0; k < 8; k++) {
-        shapes[k] = k < 4 ? circle : box;
-        shapes[k].size = cairn_vec2_of(number(CAIRN_F(0.05), CAIRN_F(1.5)), k < 4 ? 0 : number(CAIRN_F(0.05), CAIRN_F(4)));
-    }
-    polygon_count = 0;
-    for (int k = 0; k < POLYGONS; k++) {
-        cairn_vec2 points[2 * CAIRN_MAX_VERTICES];
-        const int count = (int)below(2 * CAIRN_MAX_VERTICES + 1);
-        for (int i = 0; i < count; i++) {
-            points[i] = vector(CAIRN_F(1));
-        }
-        polygon_count += cairn_polygon_init_hull(&polygons[polygon_count], points, count) == CAIRN_OK;
-    }
-}
-
-static void make_models(void)
-{
-    const cairn_body_model ground = CAIRN_BODY_MODEL(CAIRN_STATIC, &shapes[0], &cairn_material_default);
-    for (int k = 0; k < 6; k++) {
-        cairn_material *m = &materials[k];
-        m->static_friction = cairn_factor_from_real(between(0, CAIRN_F(1)));
-        m->kinetic_friction = one_in(2) ? m->static_friction : cairn_factor_from_real(between(0, CAIRN_F(1)));
-        m->restitution = one_in(2) ? 0 : cairn_factor_from_real(between(0, CAIRN_F(1)));
-        m->threshold = one_in(2) ? 0 : number(0, CAIRN_F(2));
-        m->bounce = one_in(3) ? NULL : &cairn_bounce;
-    }
-    for (int k = 0; k < MODELS; k++) {
-        cairn_body_model *m = &models[k];
-        *m = ground;
-        m->type = one_in(4) ? CAIRN_STATIC : one_in(5) ? CAIRN_KINEMATIC : CAIRN_DYNAMIC;
-        m->shape = polygon_count > 0 && one_in(3) ? &polygons[below((uint32_t)polygon_count)].shape : &shapes[below(8)];
-        m->material = &materials[below(6)];
-        m->density = one_in(3) ? stiffness() : cairn_wide_from_real(between(CAIRN_F(0.1), CAIRN_F(5)));
-        m->gravity_scale = one_in(4) ? number(CAIRN_F(-2), CAIRN_F(2)) : CAIRN_F(1);
-        m->damping = one_in(4) ? number(0, CAIRN_F(3)) : 0;
-        m->angular_damping = one_in(4) ? number(0, CAIRN_F(3)) : 0;
-        m->layer = one_in(6) ? (uint16_t)arith_random_bits(&r) : 1;
-        m->mask = one_in(6) ? (uint16_t)arith_random_bits(&r) : 0xFFFF;
-        m->sensor = one_in(8);
-        m->fixed_rotation = one_in(8);
-        m->fixed_position = one_in(8);
-    }
-}
 
 /* ---- what is asked ---- */
 
@@ -113,7 +24,7 @@ static bool on_body(void *context, cairn_body_id id)
     found++;
     TEST_ASSERT_TRUE(cairn_body_exists(world, id));
     TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_LOCKED, cairn_body_destroy(world, id));
-    return !one_in(4);
+    return found % 4 != 0; /* not by chance: who is found first is nobody's business */
 }
 
 static bool on_hit(void *context, const cairn_ray_hit *hit)
@@ -145,10 +56,11 @@ static void ask(void)
     cairn_ray_hit hit;
     cairn_contact contact;
     cairn_body_id touched, id = any_body();
-    const cairn_vec2 one = vector(CAIRN_F(5)), other = vector(CAIRN_F(5));
-    const uint16_t mask = (uint16_t)arith_random_bits(&r);
+    const cairn_vec2 one = any_place(CAIRN_F(5)), other = any_place(CAIRN_F(5));
+    const uint16_t mask = (uint16_t)arith_random_bits(&any_r);
+    cairn_vec2 corner;
     int cursor = 0;
-    switch (below(10)) {
+    switch (below(11)) {
     case 0: (void)cairn_query_ray(world, one, other, mask, &hit); break;
     case 1: (void)cairn_query_ray_all(world, one, other, mask, on_hit, NULL); break;
     case 2: (void)cairn_query_point(world, one, mask, on_body, NULL); break;
@@ -175,86 +87,81 @@ static void ask(void)
         (void)cairn_body_mass(world, id);
         (void)cairn_body_inertia(world, id);
         break;
+    case 9: (void)cairn_spring_anchors(world, any_spring(), &corner, &corner); break;
     default: (void)cairn_spring_length(world, any_spring()); break;
     }
 }
 
 /* ---- what is changed ---- */
 
+/* One in a few as fast as anything may be. */
+static cairn_vec2 any_velocity(void)
+{
+    return vector(one_in(6) ? cairn_world_speed_limit(world) : any.speed);
+}
+
+static void move_body(cairn_body_id id)
+{
+    const cairn_vec2 place = one_in(3) ? cairn_body_position(world, any_body()) : any_place(CAIRN_F(4));
+    const cairn_angle angle = any_angle();
+    (void)cairn_body_set_transform(world, id, place, angle);
+}
+
 static void change_body(void)
 {
     const cairn_body_id id = any_body();
-    switch (below(9)) {
-    case 0: (void)cairn_body_set_transform(world, id, vector(CAIRN_F(4)), angle()); break;
-    case 1: (void)cairn_body_set_velocity(world, id, vector(CAIRN_F(20))); break;
-    case 2: (void)cairn_body_set_angular_velocity(world, id, number(CAIRN_F(-30), CAIRN_F(30))); break;
-    case 3: (void)cairn_body_set_model(world, id, any_model()); break;
-    case 4: (void)cairn_body_wake(world, id); break;
-    case 5: (void)cairn_body_apply_force_at(world, id, vector(CAIRN_F(100)), vector(CAIRN_F(4))); break;
-    case 6: (void)cairn_body_apply_torque(world, id, number(CAIRN_F(-100), CAIRN_F(100))); break;
-    case 7: (void)cairn_body_apply_impulse_at(world, id, vector(CAIRN_F(10)), vector(CAIRN_F(4))); break;
+    switch (below(10)) {
+    case 0: move_body(id); break;
+    case 1: (void)cairn_body_set_velocity(world, id, any_velocity()); break;
+    case 2: (void)cairn_body_set_angular_velocity(world, id, number(-any.speed, any.speed)); break;
+    case 3:
+    case 4: (void)cairn_body_set_model(world, id, model_for(id)); break;
+    case 5: (void)cairn_body_wake(world, id); break;
+    case 6: (void)cairn_body_apply_force_at(world, id, vector(CAIRN_F(100)), any_place(CAIRN_F(4))); break;
+    case 7: (void)cairn_body_apply_torque(world, id, number(CAIRN_F(-100), CAIRN_F(100))); break;
+    case 8: (void)cairn_body_apply_impulse_at(world, id, vector(CAIRN_F(10)), any_place(CAIRN_F(4))); break;
     default: (void)cairn_body_apply_angular_impulse(world, id, number(CAIRN_F(-10), CAIRN_F(10))); break;
     }
 }
 
 static void change_spring(void)
 {
-    cairn_spring_def def = cairn_spring_def_default(any_body(), any_body());
     switch (below(4)) {
     case 0: (void)cairn_spring_destroy(world, any_spring()); break;
-    case 1: (void)cairn_spring_set(world, any_spring(), number(0, CAIRN_F(3)), stiffness(), stiffness()); break;
-    default:
-        def.anchor_a = vector(CAIRN_F(1));
-        def.anchor_b = vector(CAIRN_F(1));
-        def.rest_length = number(CAIRN_F(-1), CAIRN_F(3));
-        def.stiffness = stiffness();
-        def.damping = stiffness();
-        def.no_contact = one_in(2);
-        if (one_in(2)) {
-            (void)cairn_spring_tune(world, &def, number(0, CAIRN_F(30)), number(0, CAIRN_F(1)));
-        }
-        spring_ids[below(IDS)] = cairn_spring_create(world, &def);
-        break;
+    case 1: (void)cairn_spring_set(world, any_spring(), length(0, CAIRN_F(3)), any_amount(), any_amount()); break;
+    default: (void)any_bond(any_body(), any_body()); break;
+    }
+}
+
+static cairn_real any_rate(void)
+{
+    static const cairn_real rates[] = { CAIRN_F(10), CAIRN_F(30), CAIRN_F(60), CAIRN_F(120), CAIRN_F(600), CAIRN_F(2000) };
+    return one_in(2) ? rates[below(6)] : number(CAIRN_F(10), CAIRN_F(250));
+}
+
+/* What is mostly asked for when a world is opened, in the middle of it. */
+static void enable(void)
+{
+    switch (below(6)) {
+    case 0: (void)cairn_springs_enable(world, any.wide ? &any_many : &any_few); break;
+    case 1: (void)cairn_meshes_enable(world, any.wide ? &any_large_nets : &any_nets); break;
+    case 2: find_pairs_by_tree(); break;
+    case 3: (void)cairn_blocks_enable(world, &any_blocks); break;
+    case 4: (void)cairn_world_use_slides_solver(world, (int)below(20)); break;
+    default: (void)cairn_sleep_enable(world); break;
     }
 }
 
 static void change_world(void)
 {
-    switch (below(6)) {
-    case 0: (void)cairn_world_set_gravity(world, vector(CAIRN_F(20))); break;
-    case 1: (void)cairn_world_set_rate(world, number(CAIRN_F(10), CAIRN_F(250))); break;
+    switch (below(8)) {
+    case 0: (void)cairn_world_set_gravity(world, one_in(3) ? cairn_vec2_of(0, 0) : vector(one_in(6) ? CAIRN_F(2000) : CAIRN_F(20))); break;
+    case 1: (void)cairn_world_set_rate(world, any_rate()); break;
     case 2: (void)cairn_world_set_substeps(world, (int)below(18)); break;
     case 3: (void)cairn_world_set_slop(world, number(0, CAIRN_F(0.02))); break;
     case 4: (void)cairn_world_set_push_out(world, number(0, CAIRN_F(10))); break;
+    case 5: enable(); break;
     default: (void)(one_in(2) ? cairn_sleep_enable(world) : cairn_sleep_disable(world)); break;
-    }
-}
-
-static void create(void)
-{
-    cairn_body_id id = cairn_body_create(world, any_model(), vector(CAIRN_F(3)), angle());
-    if (!cairn_body_id_is_null(id)) {
-        ids[below(IDS)] = id; /* whoever was here is known to the world alone from now on */
-    }
-}
-
-static void call(void)
-{
-    const uint32_t choice = below(100);
-    if (choice < 40) {
-        (void)cairn_world_step(world);
-    } else if (choice < 55) {
-        create();
-    } else if (choice < 60) {
-        (void)cairn_body_destroy(world, any_body());
-    } else if (choice < 75) {
-        change_body();
-    } else if (choice < 85) {
-        change_spring();
-    } else if (choice < 90) {
-        change_world();
-    } else {
-        ask();
     }
 }
 
@@ -262,70 +169,93 @@ static void call(void)
 
 static cairn_real size_of(cairn_real x) { return x < 0 ? -x : x; }
 
+static void check_body(cairn_body_id id)
+{
+    const cairn_real limit = CAIRN_F(16384), fastest = cairn_world_speed_limit(world) + CAIRN_F(0.01);
+    const cairn_vec2 center = cairn_body_center(world, id), velocity = cairn_body_velocity(world, id);
+    TEST_ASSERT_TRUE(size_of(center.x) <= limit && size_of(center.y) <= limit);
+    TEST_ASSERT_TRUE(size_of(velocity.x) <= fastest && size_of(velocity.y) <= fastest);
+    if (!cairn_body_is_awake(world, id)) {
+        TEST_ASSERT_TRUE(velocity.x == 0 && velocity.y == 0 && cairn_body_angular_velocity(world, id) == 0);
+    }
+}
+
 static void check(void)
 {
     int count = 0;
-    const cairn_real limit = CAIRN_F(16384);
     cairn_body_id id = cairn_world_next_body(world, cairn_body_id_null());
-    for (; !cairn_body_id_is_null(id) && count <= BODIES; id = cairn_world_next_body(world, id)) {
-        const cairn_vec2 center = cairn_body_center(world, id), velocity = cairn_body_velocity(world, id);
-        const cairn_real fastest = cairn_world_speed_limit(world) + CAIRN_F(0.01);
-        TEST_ASSERT_TRUE(size_of(center.x) <= limit && size_of(center.y) <= limit);
-        TEST_ASSERT_TRUE(size_of(velocity.x) <= fastest && size_of(velocity.y) <= fastest);
+    for (; !cairn_body_id_is_null(id) && count <= ANY_BODIES; id = cairn_world_next_body(world, id)) {
+        check_body(id);
         count++;
     }
-    TEST_ASSERT_TRUE(count <= BODIES);
     const cairn_world_stats *stats = cairn_world_get_stats(world);
-    TEST_ASSERT_TRUE(stats->arbiters <= ARBITERS && stats->awake <= count + BODIES && stats->springs <= SPRINGS);
+    TEST_ASSERT_EQUAL_INT(stats->bodies, count);
+    TEST_ASSERT_TRUE(stats->arbiters <= ANY_ARBITERS && stats->springs <= ANY_SPRINGS);
 }
 
-static void open_world(uint32_t seed)
-{
-    r = arith_random_seeded(seed);
-    make_shapes();
-    make_models();
-    world = cairn_world_init_with(&yard, cairn_vec2_of(0, CAIRN_F(-10)), &cairn_solver_soft, one_in(4) ? NULL : &cairn_continuous);
-    for (int k = 0; k < IDS; k++) {
-        ids[k].index = (uint16_t)below(BODIES + 3);
-        ids[k].generation = (uint16_t)below(3);
-        spring_ids[k].index = (uint16_t)below(SPRINGS + 3);
-        spring_ids[k].generation = (uint16_t)below(3);
-    }
-    if (!one_in(4)) {
-        (void)cairn_springs_enable(world, &coils);
-    }
-    if (one_in(2)) {
-        (void)cairn_meshes_enable(world, &nets);
-    }
-    if (one_in(2)) {
-        (void)cairn_quadtree_enable(world, &tree, vector(CAIRN_F(3)), (int)below(8), (int)below(8));
-    }
-    if (one_in(2)) {
-        (void)cairn_blocks_enable(world, &blocks);
-    }
-    if (one_in(6)) {
-        (void)cairn_world_use_slides_solver(world, (int)below(20));
-    }
-}
+/* ---- the play ---- */
 
-static uint32_t played(uint32_t seed)
+static void run(void)
 {
-    open_world(seed);
-    for (int k = 0; k < CALLS; k++) {
-        call();
+    for (uint32_t steps = below((uint32_t)any.longest) + 1; steps > 0; steps--) {
+        TEST_ASSERT_EQUAL_INT(CAIRN_OK, cairn_world_step(world));
         check();
+    }
+}
+
+static void call(void)
+{
+    const uint32_t choice = below(100);
+    if (choice < 45) {
+        run();
+    } else if (choice < 57) {
+        build();
+    } else if (choice < 61) {
+        (void)cairn_body_destroy(world, any_body());
+    } else if (choice < 76) {
+        change_body();
+    } else if (choice < 86) {
+        change_spring();
+    } else if (choice < 91) {
+        change_world();
+    } else {
+        ask();
+    }
+    check();
+}
+
+static uint32_t played(uint32_t seed, bool tree)
+{
+    choose_manner(seed);
+    any.tree = tree;
+    open_any_world();
+    for (int k = 0; k < any.calls; k++) {
+        call();
     }
     return cairn_world_hash(world);
 }
 
+/* A number that tools/cairn fuzz hands over. */
+static uint32_t told(const char *name, uint32_t otherwise)
+{
+    const char *text = getenv(name);
+    return text == NULL ? otherwise : (uint32_t)strtoul(text, NULL, 10);
+}
+
 void test_any_calls_in_any_order_leave_a_sound_world_and_always_the_same_one(void)
 {
-    int alive = 0;
-    for (uint32_t seed = 1; seed <= WORLDS; seed++) {
-        const uint32_t hash = played(seed);
-        TEST_ASSERT_EQUAL_HEX32(hash, played(seed));
+    const bool fuzzed = getenv("CAIRN_FUZZ_WORLDS") != NULL;
+    const uint32_t first = told("CAIRN_FUZZ_SEED", 1), worlds = told("CAIRN_FUZZ_WORLDS", WORLDS);
+    uint32_t alive = 0;
+    for (uint32_t k = 0; k < worlds; k++) {
+        if (fuzzed) {
+            printf("world %lu\n", (unsigned long)(first + k));
+            (void)fflush(stdout);
+        }
+        const uint32_t hash = played(first + k, true);
+        const bool complete = cairn_world_get_stats(world)->dropped == 0;
         alive += cairn_world_get_stats(world)->steps > 50 && cairn_world_get_stats(world)->bodies > 3;
+        TEST_ASSERT_EQUAL_HEX32(hash, played(first + k, !complete)); /* which contact is dropped is up to the order in which they are found */
     }
-    TEST_ASSERT_TRUE(alive > WORLDS / 2); /* the worlds are not mostly empty */
-    TEST_ASSERT_TRUE(found > 0);
+    TEST_ASSERT_TRUE(fuzzed || (alive > worlds / 2 && found > 0)); /* the worlds are not mostly empty */
 }

@@ -362,6 +362,31 @@ void test_a_spring_carries_the_waking_over(void)
     ASSERT_BOTH_AWAKE();
 }
 
+/* Two that sleep have no links for the search for groups: what it took for theirs led to body 0, and from there along the list of free places. */
+void test_a_spring_between_sleepers_is_no_way_to_the_free_places(void)
+{
+    open_yard(CAIRN_F(-10));
+    memset(coils_springs, 0, sizeof coils_springs);
+    ASSERT_OK(cairn_springs_enable(world, &coils));
+    ASSERT_OK(cairn_sleep_enable(world));
+    cairn_body_id first = put(&ball, CAIRN_F(-9), CAIRN_F(0.5)), second = put(&ball, CAIRN_F(-6), CAIRN_F(0.5));
+    put_static(&ground, 0, CAIRN_F(-0.5));
+    low = put(&box, 0, CAIRN_F(0.5));
+    high = put(&box, CAIRN_F(2), CAIRN_F(0.5));
+    cairn_spring_def def = cairn_spring_def_default(low, high);
+    def.stiffness = cairn_wide_from_int(10);
+    cairn_spring_create(world, &def);
+    run(120);
+    ASSERT_BOTH_ASLEEP();
+    put_moving(&ball, CAIRN_F(-3), CAIRN_F(9), 0, CAIRN_F(5)); /* keeps the world at work */
+    ASSERT_OK(cairn_body_destroy(world, second));
+    ASSERT_OK(cairn_body_destroy(world, first));
+    run(10);
+    ASSERT_BOTH_ASLEEP();
+    TEST_ASSERT_EQUAL_UINT16(first.index, put(&ball, CAIRN_F(-9), CAIRN_F(5)).index); /* the places are free one after the other, as they were */
+    TEST_ASSERT_EQUAL_UINT16(second.index, put(&ball, CAIRN_F(-6), CAIRN_F(5)).index);
+}
+
 /* A lamp hangs on a platform that stands still, beside a ball that rolls and keeps the world at work. */
 static cairn_body_id hang_on_platform(cairn_real damping)
 {

@@ -23,6 +23,7 @@ from . import footprint_command as footprint_module
 from . import golden as golden_module
 from .accuracy import command as accuracy_module
 from .errors import UserError
+from .fuzz import fuzz
 from .oracle import command as oracle_module
 from .play import command as play_module
 from .report.verb import report
@@ -256,6 +257,7 @@ def table_command(
     writable(out_file).write_text(text, encoding="utf-8")
 
 
+app.command()(fuzz)
 app.command()(report)
 app.command()(sweep)
 
