@@ -43,6 +43,9 @@ cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b)
 /* Coulomb's coefficients of the pair: geometric means. */
 static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const cairn_material *b)
 {
+    if (!CAIRN_WITH_FRICTION && !CAIRN_WITH_BOUNCE) {
+        return;
+    }
     arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
     arbiter->flags = (uint8_t)(a->bounce != NULL || b->bounce != NULL ? arbiter->flags | CAIRN_ARBITER_BOUNCY
                                                                       : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);

@@ -107,10 +107,13 @@ static bool is_material_valid(const cairn_material *material)
 /* Does a build without some features (config.h) know all that the model asks for? */
 static bool is_built_for(const cairn_body_model *model)
 {
-    bool damps = model->damping != 0 || model->angular_damping != 0;
+    bool damps = model->damping != 0 || model->angular_damping != 0, round = model->shape->kind->outline == NULL;
     return (CAIRN_WITH_BOUNCE || model->material->bounce == NULL) && (CAIRN_WITH_FIXED_POSITION || !model->fixed_position)
         && (CAIRN_WITH_SENSORS || !model->sensor) && (CAIRN_WITH_DAMPING || !damps)
-        && (CAIRN_MAX_POINTS > 1 || model->type != CAIRN_DYNAMIC || model->shape->kind->outline == NULL);
+        && (CAIRN_WITH_FRICTION || model->material->static_friction == 0) && (CAIRN_WITH_POLYGONS || model->shape->polygon == NULL)
+        && (CAIRN_MAX_POINTS > 1 || model->type != CAIRN_DYNAMIC || round)
+        && (CAIRN_WITH_TURNING || model->type == CAIRN_STATIC || model->fixed_rotation)
+        && (CAIRN_WITH_SLOPES || round || model->type == CAIRN_STATIC || model->fixed_rotation);
 }
 
 static cairn_status check_model(const cairn_body_model *model, cairn_mass_data *mass)
@@ -172,7 +175,7 @@ static void take_model(cairn_world *world, cairn_body *body, const cairn_body_mo
     body->model = model;
     body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
     body->inverse_gyration = 0;
-    if (model->type == CAIRN_KINEMATIC || (model->type == CAIRN_DYNAMIC && !model->fixed_rotation)) {
+    if (CAIRN_WITH_TURNING && model->type != CAIRN_STATIC && !model->fixed_rotation) {
         body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(mass->gyration));
     }
     if (model->material->bounce != NULL) {
@@ -184,9 +187,11 @@ void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *
 {
     const cairn_polygon *polygon = body->model->shape->polygon;
     *x = *y = 0;
-    if (polygon != NULL) {
-        cairn_unit c, s;
-        cairn_angle_rotation(body->angle, &c, &s);
+    if (CAIRN_WITH_POLYGONS && polygon != NULL) {
+        cairn_unit c = CAIRN_UNIT(1), s = 0;
+        if (CAIRN_WITH_SLOPES) {
+            cairn_angle_rotation(body->angle, &c, &s);
+        }
         *x = cairn_offset_dot(polygon->centroid.x, -polygon->centroid.y, c, s);
         *y = cairn_offset_dot(polygon->centroid.x, polygon->centroid.y, s, c);
     }
@@ -206,6 +211,12 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
     cairn_body_refresh_extents(body);
     world->placed = true;
+}
+
+/* At an angle, if the build knows of any. */
+static bool may_stand(const cairn_body_model *model, cairn_angle angle)
+{
+    return CAIRN_WITH_SLOPES || angle == 0 || model->shape->kind->outline == NULL;
 }
 
 /* After a change of where a body is or of whom it meets. */
@@ -244,6 +255,9 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
         return cairn_body_id_null();
     }
     cairn_status status = world->locked ? CAIRN_ERROR_LOCKED : check_model(model, &mass);
+    if (status == CAIRN_OK && !may_stand(model, angle)) {
+        status = CAIRN_ERROR_KIND;
+    }
     if (status == CAIRN_OK && (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE))) {
         status = CAIRN_ERROR_RANGE;
     }
@@ -308,6 +322,9 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
     }
     if (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE)) {
         return cairn_fail(world, CAIRN_ERROR_RANGE);
+    }
+    if (!may_stand(body->model, angle)) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
     }
     cairn_arbiters_remove_body(world, (uint16_t)(id.index - 1));
     cairn_body_wake_up(world, body);

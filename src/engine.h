@@ -146,6 +146,9 @@ static inline bool cairn_body_is_sensing(const cairn_body *body) { return CAIRN_
 /* Of two that are round and free to move none slides in the sense of slide.c. */
 static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_MAX_POINTS > 1 && world->slides; }
 static inline bool cairn_arbiter_has_two(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS > 1 && arbiter->count > 1; }
+/* Of one whose shapes meet, and of what they meet in. */
+static inline int cairn_arbiter_points(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS == 1 && !CAIRN_WITH_BOUNCE ? 1 : arbiter->count; }
+static inline int cairn_points_of(int count) { return CAIRN_MAX_POINTS == 1 ? 1 : count; }
 /* The place of the second of two rows. */
 #define CAIRN_LAST_ROW (CAIRN_MAX_POINTS - 1)
 /* All that it presses with. */
@@ -156,7 +159,15 @@ static inline cairn_motion cairn_arbiter_pressure(const cairn_arbiter *arbiter)
 /* A function in a table, of contacts of two points: null in builds that know one point only. */
 #define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
 
-static inline bool cairn_body_can_turn(const cairn_body *body) { return body->inverse_gyration != 0; }
+static inline bool cairn_body_can_turn(const cairn_body *body) { return CAIRN_WITH_TURNING && body->inverse_gyration != 0; }
+/* How it turns, in a sub-step and by its displacement. */
+static inline cairn_motion cairn_body_spin(const cairn_body *body) { return CAIRN_WITH_TURNING ? body->w : 0; }
+static inline cairn_motion cairn_body_turned(const cairn_body *body) { return CAIRN_WITH_TURNING ? body->dw : 0; }
+/* What a row gives for a velocity, by its effective mass. Where nothing turns and nothing is held in its place, that is 1. */
+static inline cairn_motion cairn_motion_by_mass(cairn_motion u, cairn_ratio mass)
+{
+    return CAIRN_WITH_TURNING || CAIRN_WITH_FIXED_POSITION ? cairn_motion_ratio(u, mass) : u;
+}
 CAIRN_ALWAYS_INLINE cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
 
 static inline bool cairn_body_is_round(const cairn_body *body) { return body->model->shape->kind->outline == NULL; }
@@ -170,6 +181,9 @@ static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cair
 {
     *c = CAIRN_UNIT(1);
     *s = 0;
+    if (!CAIRN_WITH_SLOPES) {
+        return;
+    }
     if (body->flags & CAIRN_BODY_FACING) {
         *c = body->dx;
         *s = body->dy;
@@ -305,15 +319,15 @@ static inline cairn_offset2 cairn_offset2_turned(cairn_offset2 v, cairn_unit c, 
 static inline cairn_offset2 cairn_offset2_turned_back(cairn_offset x, cairn_offset y, cairn_unit c, cairn_unit s)
 {
     cairn_offset2 r;
-    r.x = cairn_offset_dot(x, y, c, s);
-    r.y = cairn_offset_dot(x, y, -s, c);
+    r.x = CAIRN_WITH_SLOPES ? cairn_offset_dot(x, y, c, s) : x;
+    r.y = CAIRN_WITH_SLOPES ? cairn_offset_dot(x, y, -s, c) : y;
     return r;
 }
 static inline cairn_unit2 cairn_unit2_turned(cairn_unit2 n, cairn_unit c, cairn_unit s)
 {
     cairn_unit2 r;
-    r.x = cairn_unit_dot(n.x, -n.y, c, s);
-    r.y = cairn_unit_dot(n.x, n.y, s, c);
+    r.x = CAIRN_WITH_SLOPES ? cairn_unit_dot(n.x, -n.y, c, s) : n.x;
+    r.y = CAIRN_WITH_SLOPES ? cairn_unit_dot(n.x, n.y, s, c) : n.y;
     return r;
 }
 
@@ -472,6 +486,9 @@ static inline cairn_motion cairn_displacement_along(const cairn_body *a, const c
 {
     cairn_offset dx = cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx);
     cairn_offset dy = cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy);
+    if (!CAIRN_WITH_TURNING) {
+        return cairn_motion_from_offset(cairn_motion_along(dx, dy, x, y));
+    }
     return cairn_motion_from_offset(cairn_motion_along(dx, dy, x, y) + cairn_motion_lever(cairn_offset_from_motion(b->dw), jb)
                                     - cairn_motion_lever(cairn_offset_from_motion(a->dw), ja));
 }

@@ -4,12 +4,14 @@
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 {
     cairn_motion vx = cairn_motion_clamp(body->vx, world->speed_limit), vy = cairn_motion_clamp(body->vy, world->speed_limit);
-    cairn_motion w = cairn_motion_clamp(body->w, world->speed_limit);
-    if (vx != body->vx || vy != body->vy || w != body->w) {
+    cairn_motion w = cairn_motion_clamp(cairn_body_spin(body), world->speed_limit);
+    if (vx != body->vx || vy != body->vy || w != cairn_body_spin(body)) {
         world->stats.saturations++;
         body->vx = vx;
         body->vy = vy;
-        body->w = w;
+        if (CAIRN_WITH_TURNING) {
+            body->w = w;
+        }
     }
 }
 
@@ -22,7 +24,7 @@ static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 static inline cairn_real way_of(const cairn_world *world, const cairn_body *body)
 {
     cairn_motion speed = magnitude(body->vx) + magnitude(body->vy); /* at most 5 * 0.93 m a sub-step in all */
-    if (body->w != 0 && !cairn_body_is_round(body)) {
+    if (CAIRN_WITH_SLOPES && cairn_body_spin(body) != 0 && !cairn_body_is_round(body)) {
         speed += 3 * magnitude(body->w);
     }
     return cairn_real_above_motion(speed) * world->substeps;
@@ -45,20 +47,22 @@ static void set_extents(cairn_body *body, bool brisk)
     cairn_unit c, s;
     cairn_body_facing(body, &c, &s);
     shape->kind->extents(shape, c, s, &x, &y);
-    if (cairn_body_can_turn(body) && !cairn_body_is_round(body)) {
+    if (CAIRN_WITH_SLOPES && cairn_body_can_turn(body) && !cairn_body_is_round(body)) {
         wider = brisk ? cairn_real_wide_sector(y) : cairn_real_sector(y);
         higher = brisk ? cairn_real_wide_sector(x) : cairn_real_sector(x);
     }
     body->extent_x = cairn_extent_above(x + margin + wider);
     body->extent_y = cairn_extent_above(y + margin + higher);
-    body->flags = (uint16_t)(brisk ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
+    if (CAIRN_WITH_SLOPES) {
+        body->flags = (uint16_t)(brisk ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
+    }
 }
 
 void cairn_body_refresh_extents(cairn_body *body) { set_extents(body, false); }
 
 void cairn_body_face(cairn_body *body)
 {
-    if (!(body->flags & CAIRN_BODY_FACING) && body->dx == 0 && body->dy == 0 && !cairn_body_is_round(body)) {
+    if (CAIRN_WITH_SLOPES && !(body->flags & CAIRN_BODY_FACING) && body->dx == 0 && body->dy == 0 && !cairn_body_is_round(body)) {
         cairn_angle_rotation(body->angle, &body->dx, &body->dy);
         body->flags |= CAIRN_BODY_FACING;
     }
@@ -95,7 +99,7 @@ void cairn_bodies_look_ahead(cairn_world *world)
         body->dx = body->dy = 0;
         body->dw = way;
         body->flags &= (uint16_t)~CAIRN_BODY_FAST;
-        if (body->extent_x == 0 || (!brisk && (body->flags & CAIRN_BODY_WIDE))) {
+        if (CAIRN_WITH_SLOPES && (body->extent_x == 0 || (!brisk && (body->flags & CAIRN_BODY_WIDE)))) {
             cairn_body_face(body);
             set_extents(body, brisk);
         }
@@ -144,13 +148,22 @@ static cairn_motion scaled(const cairn_world *world, cairn_motion gravity, const
     return cairn_motion_clamp(cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale)), world->speed_limit);
 }
 
+static inline void spin_up(cairn_body *body, cairn_motion by)
+{
+    if (CAIRN_WITH_TURNING) {
+        body->w = cairn_motion_add(body->w, by);
+    }
+}
+
 void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
 {
     cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
     if (!(body->flags & CAIRN_BODY_PLAIN)) {
         body->vx = damped(world, body->vx, body->model->damping);
         body->vy = damped(world, body->vy, body->model->damping);
-        body->w = damped(world, body->w, body->model->angular_damping);
+        if (CAIRN_WITH_TURNING) {
+            body->w = damped(world, body->w, body->model->angular_damping);
+        }
     }
     body->ux = body->vx;
     body->uy = body->vy;
@@ -158,13 +171,13 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
     if (body->flags & CAIRN_BODY_PLAIN) {
         body->vx = cairn_motion_add(body->vx + gx, fx);
         body->vy = cairn_motion_add(body->vy + gy, fy);
-        body->w = cairn_motion_add(body->w, fw);
+        spin_up(body, fw);
     } else if (cairn_body_is_dynamic(body)) {
         body->vx = cairn_motion_add(body->vx + scaled(world, gx, body), fx);
         body->vy = cairn_motion_add(body->vy + scaled(world, gy, body), fy);
-        body->w = cairn_motion_add(body->w, fw);
+        spin_up(body, fw);
     }
-    if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) {
+    if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
         cairn_body_limit_speed(world, body);
     }
 }
@@ -187,13 +200,13 @@ static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_moti
 
 static inline bool is_still(const cairn_world *world, const cairn_body *body)
 {
-    return is_within(body->vx, body->vy, body->w, DEAD_SPEED)
-        && is_within(body->dx, body->dy, body->dw, 2 * DEAD_SPEED * world->substeps);
+    return is_within(body->vx, body->vy, cairn_body_spin(body), DEAD_SPEED)
+        && is_within(body->dx, body->dy, cairn_body_turned(body), 2 * DEAD_SPEED * world->substeps);
 }
 
 bool cairn_body_is_under_way(const cairn_world *world, const cairn_body *body)
 {
-    return !is_within(body->vx, body->vy, body->w, cairn_motion_shifted(world->rest_limit, 2));
+    return !is_within(body->vx, body->vy, cairn_body_spin(body), cairn_motion_shifted(world->rest_limit, 2));
 }
 
 bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { return is_still(world, body); }
@@ -201,12 +214,14 @@ bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { ret
 static void calm(const cairn_world *world, cairn_body *body)
 {
     unsigned state = body->flags & (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD);
-    bool stands = state == (CAIRN_BODY_GRIPS | CAIRN_BODY_HELD);
-    bool rolls = state == (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD) && cairn_body_is_round(body);
-    if ((stands || rolls) && is_within(body->vx, body->vy, body->w, rolls ? cairn_motion_shifted(world->rest_limit, 2) : world->rest_limit)) {
+    bool stands = CAIRN_WITH_FRICTION && state == (CAIRN_BODY_GRIPS | CAIRN_BODY_HELD); /* without friction all slips */
+    bool rolls = CAIRN_WITH_FRICTION && state == (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD) && cairn_body_is_round(body);
+    if ((stands || rolls) && is_within(body->vx, body->vy, cairn_body_spin(body), rolls ? cairn_motion_shifted(world->rest_limit, 2) : world->rest_limit)) {
         body->vx -= cairn_motion_ratio(body->vx, world->rest_damping);
         body->vy -= cairn_motion_ratio(body->vy, world->rest_damping);
-        body->w -= cairn_motion_ratio(body->w, world->rest_damping);
+        if (CAIRN_WITH_TURNING) {
+            body->w -= cairn_motion_ratio(body->w, world->rest_damping);
+        }
     }
     if (!(body->flags & CAIRN_BODY_RESTLESS) && is_still(world, body)) {
         body->vx = body->vy = body->w = 0;
@@ -238,7 +253,10 @@ CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *
 /* A contact that pushes acted on its bodies. */
 static inline void mark_rest(cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion first, cairn_motion second)
 {
-    unsigned kept = ~(cairn_flag_if(slips(arbiter, first + second), CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
+    unsigned kept = ~0u;
+    if (CAIRN_WITH_FRICTION) {
+        kept = ~(cairn_flag_if(slips(arbiter, first + second), CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
+    }
     if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
         a->flags = (uint16_t)((a->flags & kept) | CAIRN_BODY_HELD);
     }
@@ -264,7 +282,7 @@ static void mark_held(cairn_world *world)
         if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
             arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);
             mark_rest(&bodies[arbiter->a], &bodies[arbiter->b], arbiter, first, second);
-            if ((flags & CAIRN_ARBITER_ON_STATIC) && arbiter->friction_lever_a != 0) {
+            if (CAIRN_WITH_SLOPES && (flags & CAIRN_ARBITER_ON_STATIC) && arbiter->friction_lever_a != 0) {
                 straighten_push(world, arbiter);
             }
         }
@@ -296,10 +314,10 @@ static inline void move(cairn_world *world, cairn_body *body)
     }
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
-    if (body->dw != 0) {
+    if (cairn_body_turned(body) != 0) {
         cairn_angle before = body->angle;
         body->angle = cairn_angle_add(before, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
-        if (!cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)
+        if (CAIRN_WITH_SLOPES && !cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)
             && !((body->flags & CAIRN_BODY_WIDE) && cairn_angle_is_in_wide_sector(before, body->angle))) {
             body->extent_x = 0;
         }
@@ -333,7 +351,7 @@ static inline void finish(cairn_world *world, cairn_body *body)
             straighten(world, body);
         }
     }
-    if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
+    if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
         cairn_body_limit_speed(world, body);
     }
     body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS);

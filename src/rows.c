@@ -49,7 +49,7 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
     cairn_row old[2] = { arbiter->rows[0], arbiter->rows[CAIRN_LAST_ROW] };
     int old_count = arbiter->count;
     bool kept = false;
-    for (int i = 0; i < manifold->count; i++) {
+    for (int i = 0; i < cairn_points_of(manifold->count); i++) {
         cairn_row *row = &arbiter->rows[i];
         row->feature = manifold->points[i].feature;
         row->impulse = 0;
@@ -75,7 +75,7 @@ void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, con
 {
     bool careful = cairn_bodies_are_fixed(a, b) || !cairn_lever_is_short(arbiter->friction_lever_a)
                 || !cairn_lever_is_short(arbiter->friction_lever_b);
-    for (int i = 0; i < arbiter->count; i++) {
+    for (int i = 0; i < cairn_points_of(arbiter->count); i++) {
         careful = careful || !cairn_lever_is_short(arbiter->rows[i].lever_a) || !cairn_lever_is_short(arbiter->rows[i].lever_b);
     }
     arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)CAIRN_ARBITER_CAREFUL) | cairn_flag_if(careful, CAIRN_ARBITER_CAREFUL));
@@ -106,7 +106,7 @@ static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit t
  */
 static bool passes_over(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *b, const cairn_manifold *manifold)
 {
-    return (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0 && manifold->time == 0
+    return CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0 && manifold->time == 0
         && cairn_body_is_under_way(world, b);
 }
 
@@ -124,7 +124,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     arbiter->normal_x = passes ? cairn_dir_in_turn(nx, world->stats.steps) : cairn_dir_from_unit(nx);
     arbiter->normal_y = passes ? cairn_dir_in_turn(ny, world->stats.steps) : cairn_dir_from_unit(ny);
     cairn_offset height = 0, apart = 0;
-    for (int i = 0; i < manifold->count; i++) {
+    for (int i = 0; i < cairn_points_of(manifold->count); i++) {
         const cairn_manifold_point *point = &manifold->points[i];
         cairn_row *row = &arbiter->rows[i];
         cairn_offset arm = cairn_offset_dot(point->x, point->y, -ny, nx);
@@ -152,7 +152,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
         }
     }
     cairn_arbiter_mark_careful(arbiter, a, b);
-    if (arbiter->flags & CAIRN_ARBITER_ON_STATIC) {
+    if (CAIRN_WITH_SLOPES && (arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
         arbiter->friction_lever_a = cairn_dir_lean(nx, ny, arbiter->normal_x, arbiter->normal_y);
     }
     cairn_arbiter_take_hold(world, arbiter);

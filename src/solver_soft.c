@@ -18,7 +18,9 @@ static inline void lean(cairn_body *body)
 {
     body->vx += cairn_soft_lean(body->dx);
     body->vy += cairn_soft_lean(body->dy);
-    body->w += cairn_soft_lean(body->dw);
+    if (CAIRN_WITH_TURNING) {
+        body->w += cairn_soft_lean(body->dw);
+    }
 }
 
 /* Enter the biased pass: v + beta d. */
@@ -55,7 +57,7 @@ CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy
             body->ux -= gx;
             body->uy -= gy;
         }
-        cairn_motion vx = repeat(&body->vx, &body->ux), vy = repeat(&body->vy, &body->uy), w = repeat(&body->w, &body->uw);
+        cairn_motion vx = repeat(&body->vx, &body->ux), vy = repeat(&body->vy, &body->uy), w = CAIRN_WITH_TURNING ? repeat(&body->w, &body->uw) : 0;
         if (leans) { /* three times the limit at most, which the sweeps have room for, and cut again when it moves */
             lean(body);
         } else if (!cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
@@ -77,14 +79,18 @@ CAIRN_APART void advance(cairn_world *world)
         if (may_lean(body)) {
             body->vx -= cairn_soft_lean(body->dx);
             body->vy -= cairn_soft_lean(body->dy);
-            body->w -= cairn_soft_lean(body->dw);
+            if (CAIRN_WITH_TURNING) {
+                body->w -= cairn_soft_lean(body->dw);
+            }
         }
-        if (!cairn_motions_are_within(body->vx, body->vy, body->w, CAIRN_SURELY_SLOW)) {
+        if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
             cairn_body_limit_speed(world, body);
         }
         body->dx += body->vx;
         body->dy += body->vy;
-        body->dw += body->w;
+        if (CAIRN_WITH_TURNING) {
+            body->dw += body->w;
+        }
         body++;
     }
 }

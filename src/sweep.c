@@ -20,11 +20,11 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
         return CAIRN_PATH_SLIDING + apart;
     }
     /* An impact may leave a contact without points: the quick ways take one at least. */
-    if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || arbiter->kinetic_friction > CAIRN_FACTOR(1) || world->push_out_limit > PUSH) {
+    if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || (CAIRN_WITH_FRICTION && arbiter->kinetic_friction > CAIRN_FACTOR(1)) || world->push_out_limit > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
     if (!cairn_arbiter_has_two(arbiter)) {
-        bool central = arbiter->rows[0].lever_a == 0 && arbiter->rows[0].lever_b == 0;
+        bool central = !CAIRN_WITH_TURNING || (arbiter->rows[0].lever_a == 0 && arbiter->rows[0].lever_b == 0);
         bool alike = arbiter->share_a == CAIRN_SHARE(0.5) && arbiter->friction_lever_a == -arbiter->friction_lever_b;
         return !central ? CAIRN_PATH_SINGLE : alike ? CAIRN_PATH_EVEN_CENTRAL : CAIRN_PATH_CENTRAL;
     }

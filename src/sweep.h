@@ -50,6 +50,7 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 CAIRN_INLINE cairn_size cairn_pair_size(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
     cairn_size size = cairn_size_with(cairn_size_of(b->vx), b->vy);
+    with_spins = with_spins && CAIRN_WITH_TURNING;
     size = with_spins ? cairn_size_with(size, b->w) : size;
     if (path != CAIRN_PATH_ON_STATIC) {
         size = cairn_size_with(cairn_size_with(size, a->vx), a->vy);

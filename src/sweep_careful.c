@@ -12,7 +12,7 @@ static cairn_motion pressed(cairn_motion impulse) { return cairn_motion_above_ze
 /* The impulse less mass times a velocity that may have a distance in it, and hence no bound of its own. */
 static cairn_motion less(cairn_motion impulse, cairn_motion u, cairn_ratio mass)
 {
-    return cairn_motion_add(impulse, -cairn_motion_ratio(cairn_motion_clamp(u, CAIRN_MOTION(3.9)), mass));
+    return cairn_motion_add(impulse, -cairn_motion_by_mass(cairn_motion_clamp(u, CAIRN_MOTION(3.9)), mass));
 }
 
 static cairn_motion softened(const cairn_row *row, cairn_motion u, cairn_motion load)
@@ -80,8 +80,10 @@ typedef struct pair_state {
 
 static void limit_spins(const pair_state *pair)
 {
-    pair->a->w = cairn_motion_clamp(pair->a->w, CAIRN_SWEEP_SPIN);
-    pair->b->w = cairn_motion_clamp(pair->b->w, CAIRN_SWEEP_SPIN);
+    if (CAIRN_WITH_TURNING) {
+        pair->a->w = cairn_motion_clamp(pair->a->w, CAIRN_SWEEP_SPIN);
+        pair->b->w = cairn_motion_clamp(pair->b->w, CAIRN_SWEEP_SPIN);
+    }
 }
 
 static void limit_speed(cairn_body *body)
@@ -114,6 +116,9 @@ static bool goes_quick(const pair_state *pair, const cairn_arbiter *arbiter, boo
 
 static cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb)
 {
+    if (!CAIRN_WITH_TURNING) {
+        return linear;
+    }
     if (cairn_lever_is_short(ja) && cairn_lever_is_short(jb)) {
         return cairn_motion_add_levers(linear, pair->b->w, jb, -pair->a->w, ja);
     }
@@ -132,6 +137,9 @@ static void turn(cairn_body *body, cairn_motion by, const cairn_arbiter *arbiter
 /* What two parts of an impulse do to the spins. Of balls that are alike they change alike, to the last bit. */
 static void turn_both(const pair_state *pair, const cairn_arbiter *arbiter, cairn_fine of_a, cairn_fine of_b, cairn_lever ja, cairn_lever jb)
 {
+    if (!CAIRN_WITH_TURNING) {
+        return;
+    }
     cairn_motion by = cairn_fine_lever(of_b, jb);
     turn(pair->a, arbiter->path & CAIRN_PATH_ALIKE ? by : -cairn_fine_lever(of_a, ja), arbiter);
     turn(pair->b, by, arbiter);
@@ -168,8 +176,9 @@ static cairn_motion relaxed(const pair_state *pair, const cairn_arbiter *arbiter
 
 static void press_rows(pair_state *pair, cairn_arbiter *arbiter, row_rule *rule, bool from_last)
 {
-    for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[from_last ? arbiter->count - 1 - i : i];
+    int count = cairn_arbiter_points(arbiter);
+    for (int i = 0; i < count; i++) {
+        cairn_row *row = &arbiter->rows[from_last ? count - 1 - i : i];
         cairn_motion change = rule(pair, arbiter, row, velocity(pair, pair->linear, row->lever_a, row->lever_b)) - row->impulse;
         change = row->gap > 0 ? cairn_motion_clamp(change, pair->most) : change;
         row->impulse += change;
@@ -203,6 +212,9 @@ static void shift_pair(const pair_state *pair, const cairn_arbiter *arbiter, cai
         cairn_motion x = cairn_motion_along(push, -rub, nx, ny), y = cairn_motion_along(rub, push, nx, ny);
         shift_sliding(pair->a, arbiter->share_a, -x, -y);
         shift_sliding(pair->b, cairn_arbiter_share_b(arbiter), x, y);
+    } else if (!CAIRN_WITH_FRICTION) {
+        shift(pair->a, -cairn_fine_dir(pair->push_a, nx), -cairn_fine_dir(pair->push_a, ny));
+        shift(pair->b, cairn_fine_dir(pair->push_b, nx), cairn_fine_dir(pair->push_b, ny));
     } else {
         shift(pair->a, -cairn_fine_along(pair->push_a, -rub_a, nx, ny), -cairn_fine_along(rub_a, pair->push_a, nx, ny));
         shift(pair->b, cairn_fine_along(pair->push_b, -rub_b, nx, ny), cairn_fine_along(rub_b, pair->push_b, nx, ny));
@@ -212,6 +224,10 @@ static void shift_pair(const pair_state *pair, const cairn_arbiter *arbiter, cai
 /* Give the friction row an impulse, and the bodies their linear parts of all. */
 static void finish(const pair_state *pair, const cairn_arbiter *arbiter, cairn_motion rub)
 {
+    if (!CAIRN_WITH_FRICTION) {
+        shift_pair(pair, arbiter, 0, 0, 0);
+        return;
+    }
     cairn_fine of_a = cairn_fine_share(rub, arbiter->share_a), of_b = cairn_fine_of(rub) - of_a;
     turn_both(pair, arbiter, of_a, of_b, arbiter->friction_lever_a, arbiter->friction_lever_b);
     shift_pair(pair, arbiter, rub, of_a, of_b);
@@ -222,7 +238,8 @@ void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, 
     pair_state pair = pair_of(world, arbiter);
     (void)from_last; /* given at once, in whichever order */
     limit_spins(&pair);
-    for (int i = 0; i < arbiter->count; i++) {
+    int count = cairn_arbiter_points(arbiter);
+    for (int i = 0; i < count; i++) {
         press(&pair, arbiter, &arbiter->rows[i], arbiter->rows[i].impulse);
     }
     finish(&pair, arbiter, cairn_motion_clamp(arbiter->friction_impulse, CAIRN_IMPULSE_MAX));
@@ -239,21 +256,29 @@ void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter,
     shift_pair(&pair, arbiter, 0, 0, 0);
 }
 
+/* Friction's impulse, where it slipped at `across` without the spins; returns its change. */
+static cairn_motion rub(const pair_state *pair, const cairn_world *world, cairn_arbiter *arbiter, cairn_motion across)
+{
+    cairn_motion u = velocity(pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    cairn_motion pull = !cairn_arbiter_has_two(arbiter) ? 0 : cairn_arbiter_pull(world, arbiter);
+    cairn_motion old = arbiter->friction_impulse, change = less(old, u + pull, arbiter->friction_mass) - old;
+    if (pair->most != CAIRN_GIVEN || !sticks_for_sure(arbiter, old + change)) {
+        change = cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, old + change) - old, pair->most);
+    }
+    arbiter->friction_impulse = old + change;
+    return change;
+}
+
 void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
     pair_state pair = pair_of(world, arbiter);
     const cairn_body *a = pair.a, *b = pair.b;
-    cairn_motion across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
-    bool quick = goes_quick(&pair, arbiter, true);
-    limit_spins(&pair);
-    pair.most = quick ? CAIRN_GIVEN : CAIRN_IMPULSE_MAX;
-    press_rows(&pair, arbiter, relaxed, from_last);
-    cairn_motion u = velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    cairn_motion pull = !cairn_arbiter_has_two(arbiter) ? 0 : cairn_arbiter_pull(world, arbiter);
-    cairn_motion old = arbiter->friction_impulse, change = less(old, u + pull, arbiter->friction_mass) - old;
-    if (!quick || !sticks_for_sure(arbiter, old + change)) {
-        change = cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, old + change) - old, pair.most);
+    cairn_motion across = 0;
+    if (CAIRN_WITH_FRICTION) {
+        across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
     }
-    arbiter->friction_impulse = old + change;
-    finish(&pair, arbiter, change);
+    pair.most = goes_quick(&pair, arbiter, true) ? CAIRN_GIVEN : CAIRN_IMPULSE_MAX;
+    limit_spins(&pair);
+    press_rows(&pair, arbiter, relaxed, from_last);
+    finish(&pair, arbiter, CAIRN_WITH_FRICTION ? rub(&pair, world, arbiter, across) : 0);
 }

@@ -49,6 +49,22 @@
 #ifndef CAIRN_WITH_DAMPING
 #define CAIRN_WITH_DAMPING 1
 #endif
+#ifndef CAIRN_WITH_POLYGONS
+#define CAIRN_WITH_POLYGONS 1
+#endif
+#ifndef CAIRN_WITH_FRICTION
+#define CAIRN_WITH_FRICTION 1 /* materials that rub */
+#endif
+#ifndef CAIRN_WITH_TURNING
+#define CAIRN_WITH_TURNING 1 /* bodies that turn: without, all that moves is of fixed rotation */
+#endif
+/*
+ * Boxes and polygons that stand at an angle, or turn. Without, bits are others where a ball slides or rolls past a corner or a round static body:
+ * what its normal's last bit does to it is not taken back.
+ */
+#ifndef CAIRN_WITH_SLOPES
+#define CAIRN_WITH_SLOPES 1
+#endif
 /*
  * Ways of their own through the solver's passes for most kinds of contacts. They only save time, at the price of flash: without them the bits are
  * the same. A build for size has none.
@@ -85,7 +101,8 @@
     || !CAIRN_IS_FLAG(CAIRN_WITH_BLOCKS) || !CAIRN_IS_FLAG(CAIRN_WITH_SLEEP) || !CAIRN_IS_FLAG(CAIRN_WITH_QUADTREE) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD)
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD) || !CAIRN_IS_FLAG(CAIRN_WITH_POLYGONS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_FRICTION) || !CAIRN_IS_FLAG(CAIRN_WITH_TURNING) || !CAIRN_IS_FLAG(CAIRN_WITH_SLOPES)
 #error "each CAIRN_WITH_... must be 0 or 1"
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2
@@ -93,6 +110,9 @@
 #endif
 #if CAIRN_MAX_POINTS == 1 && CAIRN_WITH_BLOCKS
 #error "CAIRN_MAX_POINTS 1 needs CAIRN_WITH_BLOCKS 0"
+#endif
+#if !CAIRN_WITH_SLOPES && CAIRN_WITH_TURNING && CAIRN_MAX_POINTS > 1
+#error "CAIRN_WITH_SLOPES 0 needs CAIRN_WITH_TURNING 0 or CAIRN_MAX_POINTS 1"
 #endif
 
 /* Called with 0 when an invariant of the library's own is broken. A game may route it or compile it out. */

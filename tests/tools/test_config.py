@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 FLAGS = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS",
-         "DAMPING", "QUICK_WAYS")  # fmt: skip
+         "DAMPING", "QUICK_WAYS", "SHORTCUTS", "HOLD", "POLYGONS", "FRICTION", "TURNING", "SLOPES")  # fmt: skip
 
 
 def complaint(*options: str) -> str:
@@ -20,7 +20,8 @@ def complaint(*options: str) -> str:
 
 @pytest.mark.parametrize("name", FLAGS)
 def test_each_feature_is_on_or_off(name: str) -> None:
-    assert complaint(f"CAIRN_WITH_{name}=0") == ""
+    beside = ("CAIRN_WITH_TURNING=0",) if name == "SLOPES" else ()
+    assert complaint(f"CAIRN_WITH_{name}=0", *beside) == ""
     assert '#error "each CAIRN_WITH_... must be 0 or 1"' in complaint(f"CAIRN_WITH_{name}=2")
 
 
@@ -37,6 +38,12 @@ def test_points_are_one_or_two(count: int) -> None:
 def test_blocks_take_two_points() -> None:
     assert '#error "CAIRN_MAX_POINTS 1 needs CAIRN_WITH_BLOCKS 0"' in complaint("CAIRN_MAX_POINTS=1")
     assert complaint("CAIRN_MAX_POINTS=1", "CAIRN_WITH_BLOCKS=0") == ""
+
+
+def test_what_moves_and_stands_upright_does_not_turn() -> None:
+    said = '#error "CAIRN_WITH_SLOPES 0 needs CAIRN_WITH_TURNING 0 or CAIRN_MAX_POINTS 1"'
+    assert said in complaint("CAIRN_WITH_SLOPES=0")
+    assert complaint("CAIRN_WITH_SLOPES=0", "CAIRN_MAX_POINTS=1", "CAIRN_WITH_BLOCKS=0") == ""
 
 
 def test_all_that_can_be_left_out_can_be_left_out_at_once() -> None:

@@ -25,7 +25,7 @@ def needs(*names: str, wish: trim.Wish = WISH) -> trim.Needs:
 def test_round_bodies_need_one_point_and_only_what_they_use() -> None:
     found = needs("curtain150")
     on = {name for name, value in found.options.items() if name.startswith("CAIRN_WITH") and value}
-    assert on == {"CAIRN_WITH_SPRINGS"}
+    assert on == {"CAIRN_WITH_SPRINGS", "CAIRN_WITH_FRICTION", "CAIRN_WITH_TURNING"}
     assert found.options["CAIRN_MAX_POINTS"] == 1
     assert found.pools == {"bodies": 150, "arbiters": 1, "springs": 261}
 
@@ -35,6 +35,11 @@ def test_several_scenes_need_what_any_of_them_does() -> None:
     assert found.options["CAIRN_WITH_SPRINGS"] == 1
     assert found.options["CAIRN_MAX_POINTS"] == 2
     assert found.pools["arbiters"] >= 12  # ten contacts and a fifth more
+
+
+def test_upright_boxes_that_move_need_slopes_where_something_turns() -> None:
+    found = needs("stack10").options
+    assert (found["CAIRN_WITH_TURNING"], found["CAIRN_WITH_SLOPES"], found["CAIRN_WITH_POLYGONS"]) == (1, 1, 0)
 
 
 def test_what_the_user_keeps_stays() -> None:

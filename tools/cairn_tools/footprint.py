@@ -91,7 +91,8 @@ BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a
 LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
     "SPRINGS", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING",
     "SHORTCUTS", "HOLD"))  # fmt: skip
-LEAN_BALLS = (*LEAN, "CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1")
+LEAN_BALLS = (*LEAN, "CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1", "CAIRN_WITH_POLYGONS=0")
+LEAST = (*LEAN_BALLS, *(f"CAIRN_WITH_{name}=0" for name in ("FRICTION", "TURNING", "SLOPES")))
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
 SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),
@@ -99,6 +100,8 @@ SETS = (
     FeatureSet("balls_walls", "balls and walls", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560),
     FeatureSet("balls_walls_lean", "balls and walls, by options", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560,
                LEAN_BALLS),
+    FeatureSet("balls_walls_least", "balls of one kind that slide, and upright walls", ("BALLS", "WALLS"), 16, 16,
+               5 * 1024, 2560, LEAST),
     FeatureSet("boxes", "boxes only", ("WALLS", "BOXES"), 16, 16),
     FeatureSet("boxes_springs", "boxes and springs", ("WALLS", "BOXES", "SPRINGS"), 16, 16),
     FeatureSet("shapes", "balls, boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),

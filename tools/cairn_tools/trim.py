@@ -16,13 +16,13 @@ import numpy as np
 from . import engine, footprint, trim_files, trim_findings, trim_recording
 from . import scene as scene_model
 from .errors import UserError
-from .scene import Scene, Shape
+from .scene import Body, Scene, Shape
 
 CORE = "m0"
 FLAGS = "-Os -g -flto"
 PROJECT = engine.ROOT / "tools" / "trim"
 FEATURES = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION",
-            "SENSORS", "DAMPING")  # fmt: skip
+            "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES")  # fmt: skip
 UNEVEN = 30  # bodies of more than so many times one another's mass get memory for blocks, as in tools/runner/storage.h
 FAST = 0.25  # of its smallest half size in a step: then continuous.c watches a body
 REFERENCE_SUBSTEPS = 16
@@ -210,6 +210,7 @@ def needs_of(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> Needs:
         needs.options[f"CAIRN_WITH_{name}"] = int(bool(reasons))
         needs.why[f"CAIRN_WITH_{name}"] = reasons[0] if reasons else "not in any scene"
     movers = [scene.shape_of(body) for scene in scenes for body in scene.bodies if not body.static]
+    _fit_slopes(needs, movers)
     two = any(shape.kind != "circle" for shape in movers) or bool(needs.options["CAIRN_WITH_BLOCKS"])
     needs.options["CAIRN_MAX_POINTS"] = 2 if two else 1
     needs.why["CAIRN_MAX_POINTS"] = "boxes or polygons move, or blocks are in use" if two else "all that moves is round"
@@ -238,9 +239,28 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
         "FIXED_POSITION": lambda: any(body.fixed_position for body in scene.bodies) and "bodies of fixed position",
         "SENSORS": lambda: any(body.sensor for body in scene.bodies) and "sensors",
         "DAMPING": lambda: "",  # scene files have none
+        "POLYGONS": lambda: any(s.kind not in ("circle", "box") for s in scene.shapes.values()) and "polygons",
+        "FRICTION": lambda: any(scene.material(b.material).static_friction > 0 for b in scene.bodies) and "friction",
+        "TURNING": lambda: any(_turns(body) for body in scene.bodies) and "bodies that turn",
+        "SLOPES": lambda: any(_leans(scene, body) for body in scene.bodies) and "what stands at an angle, or turns",
     }
     reason = found[name]()
     return f"{scene.name}: {reason}" if reason else ""
+
+
+def _turns(body: Body) -> bool:
+    return not body.static and not body.fixed_rotation
+
+
+def _leans(scene: Scene, body: Body) -> bool:
+    return scene.shape_of(body).kind != "circle" and (body.angle != 0 or _turns(body))
+
+
+def _fit_slopes(needs: Needs, movers: list[Shape]) -> None:
+    """config.h has no upright boxes that move beside balls that turn."""
+    name = "CAIRN_WITH_SLOPES"
+    if not needs.options[name] and needs.options["CAIRN_WITH_TURNING"] and any(s.kind != "circle" for s in movers):
+        needs.options[name], needs.why[name] = 1, "boxes move, and something turns"
 
 
 def _fastest(scene: Scene, run: engine.Run) -> float:
@@ -349,7 +369,7 @@ class Builder:
 
 
 def held(needs: Needs, scenes: list[Scene], wanted: list[Image], folder: Path, wish: Wish, say: Say) -> list[Image]:
-    """The trimmed images, which must give the same bits; if they do not without continuous collision, with it."""
+    """The trimmed images, which must give the same bits; if they do not, with slopes or continuous collision."""
     for attempt in _attempts(needs):
         say(f"the trimmed build {attempt}")
         trim_files.write(folder / "trim", scenes, needs, wish)
@@ -361,10 +381,11 @@ def held(needs: Needs, scenes: list[Scene], wanted: list[Image], folder: Path, w
 
 def _attempts(needs: Needs) -> Iterator[str]:
     yield ""
-    if not needs.options["CAIRN_WITH_CONTINUOUS"]:
-        needs.options["CAIRN_WITH_CONTINUOUS"] = 1
-        needs.why["CAIRN_WITH_CONTINUOUS"] = "without it the bits differ"
-        yield "with continuous collision"
+    for name, what in (("SLOPES", "slopes"), ("CONTINUOUS", "continuous collision")):
+        option = f"CAIRN_WITH_{name}"
+        if not needs.options[option]:
+            needs.options[option], needs.why[option] = 1, "without it the bits differ"
+            yield f"with {what}"
 
 
 def _check_limits(images: list[Image], wish: Wish) -> None:

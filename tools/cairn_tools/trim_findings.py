@@ -46,7 +46,7 @@ def _shapes(bodies: list[tuple[Scene, Body]]) -> Finding:
 def _friction(bodies: list[tuple[Scene, Body]]) -> Finding:
     rough = [scene.material(body.material).static_friction for scene, body in bodies]
     if not any(rough):
-        return Finding("friction", "none", "contacts have its row all the same: there is no option")
+        return Finding("friction", "none", "CAIRN_WITH_FRICTION 0")
     return Finding("friction", _span(rough), "-")
 
 

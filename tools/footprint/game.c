@@ -22,30 +22,40 @@ static const cairn_solver_class *const solver = &cairn_solver_soft;
 
 #if WITH_RESTITUTION
 static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0.9, 0.7, 0.8, 0.5);
-#else
+#elif CAIRN_WITH_FRICTION
 static const cairn_material rubber = CAIRN_MATERIAL(0.9, 0.7);
+#else
+static const cairn_material rubber = CAIRN_MATERIAL(0, 0);
+#endif
+#if CAIRN_WITH_FRICTION
+#define STONE cairn_material_default
+#else
+#define STONE rubber
 #endif
 #if WITH_BALLS
 static const cairn_shape ball_shape = CAIRN_CIRCLE(CAIRN_F(0.25));
 #else
 static const cairn_shape ball_shape = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(0.5));
 #endif
-static const cairn_body_model ball = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &ball_shape, &rubber);
+static const cairn_body_model ball = {
+    .shape = &ball_shape, .material = &rubber, .type = CAIRN_DYNAMIC, .density = CAIRN_DENSITY(1), .gravity_scale = CAIRN_F(1), .layer = 1, .mask = 0xFFFF,
+    .fixed_rotation = !CAIRN_WITH_TURNING,
+};
 
 #if WITH_WALLS || WITH_BOXES
 static const cairn_shape wall_shape = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1));
 #else
 static const cairn_shape wall_shape = CAIRN_CIRCLE(CAIRN_F(10));
 #endif
-static const cairn_body_model wall = CAIRN_BODY_MODEL(CAIRN_STATIC, &wall_shape, &cairn_material_default);
+static const cairn_body_model wall = CAIRN_BODY_MODEL(CAIRN_STATIC, &wall_shape, &STONE);
 
 #if WITH_BOXES
 static const cairn_shape crate_shape = CAIRN_BOX(CAIRN_F(1), CAIRN_F(0.5));
-static const cairn_body_model crate = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &crate_shape, &cairn_material_default);
+static const cairn_body_model crate = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &crate_shape, &STONE);
 #endif
 #if WITH_POLYGONS || WITH_HULLS
 static cairn_polygon stone;
-static const cairn_body_model stone_model = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &stone.shape, &cairn_material_default);
+static const cairn_body_model stone_model = CAIRN_BODY_MODEL(CAIRN_DYNAMIC, &stone.shape, &STONE);
 #endif
 #if WITH_QUERIES
 static bool see(void *context, cairn_body_id id)

@@ -1,0 +1,19 @@
+/* A build for balls of one kind that neither rub nor turn, among upright boxes: the least that is an engine. */
+#define CAIRN_WITH_SPRINGS 0
+#define CAIRN_WITH_BOUNCE 0
+#define CAIRN_WITH_CONTINUOUS 0
+#define CAIRN_WITH_BLOCKS 0
+#define CAIRN_WITH_SLEEP 0
+#define CAIRN_WITH_QUADTREE 0
+#define CAIRN_WITH_SLIDES_SOLVER 0
+#define CAIRN_WITH_FIXED_POSITION 0
+#define CAIRN_WITH_SENSORS 0
+#define CAIRN_WITH_DAMPING 0
+#define CAIRN_WITH_QUICK_WAYS 0
+#define CAIRN_WITH_SHORTCUTS 0
+#define CAIRN_WITH_HOLD 0
+#define CAIRN_MAX_POINTS 1
+#define CAIRN_WITH_POLYGONS 0
+#define CAIRN_WITH_FRICTION 0
+#define CAIRN_WITH_TURNING 0
+#define CAIRN_WITH_SLOPES 0

@@ -1,0 +1,10 @@
+# Runs same_bits.c of the full build and of the trimmed one: cmake -DFULL=... -DTRIMMED=... -P same_bits.cmake
+foreach(build IN ITEMS FULL TRIMMED)
+    execute_process(COMMAND "${${build}}" RESULT_VARIABLE code OUTPUT_VARIABLE ${build}_said)
+    if(NOT code EQUAL 0)
+        message(FATAL_ERROR "${${build}} ended with ${code}")
+    endif()
+endforeach()
+if(NOT FULL_said STREQUAL TRIMMED_said)
+    message(FATAL_ERROR "the trimmed build gives other bits:\n${TRIMMED_said}and the full one:\n${FULL_said}")
+endif()

@@ -1,0 +1,87 @@
+/* A build for balls of one kind that neither rub nor turn, among upright boxes (balls.h): it refuses what it lacks, and does the rest. */
+# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+
+static const cairn_material slick = CAIRN_MATERIAL(0, 0);
+static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
+static const cairn_shape floor_shape = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1));
+
+/* Bodies keep a pointer to theirs. */
+static cairn_body_model ground, model;
+
+static cairn_body_model sliding(const cairn_shape *shape)
+{
+    cairn_body_model made = cairn_body_model_default(shape);
+    made.material = &slick;
+    made.fixed_rotation = true;
+    return made;
+}
+
+void setUp(void)
+{
+    open_yard(CAIRN_F(-10));
+    ground = sliding(&floor_shape);
+    ground.type = CAIRN_STATIC;
+    model = sliding(&ball);
+    cairn_body_create(world, &ground, at(0, CAIRN_F(-0.5)), 0);
+}
+void tearDown(void) {}
+
+static void refuses(const cairn_body_model *asked, cairn_angle angle)
+{
+    ASSERT_REFUSED_ID(CAIRN_ERROR_KIND, cairn_body_create(world, asked, at(0, CAIRN_F(3)), angle));
+}
+
+void test_what_rubs_is_refused(void)
+{
+    model.material = &cairn_material_ice;
+    refuses(&model, 0);
+}
+
+void test_what_may_turn_is_refused(void)
+{
+    model.fixed_rotation = false;
+    refuses(&model, 0);
+    model.type = CAIRN_KINEMATIC;
+    refuses(&model, 0);
+}
+
+void test_what_stands_at_an_angle_is_refused(void)
+{
+    refuses(&ground, CAIRN_DEGREES(10));
+    cairn_body_id wall = cairn_body_create(world, &ground, at(0, CAIRN_F(9)), 0);
+    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_body_set_transform(world, wall, at(0, 0), CAIRN_DEGREES(90)));
+}
+
+void test_a_ball_may_have_an_angle(void)
+{
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &model, at(0, CAIRN_F(3)), CAIRN_DEGREES(90))));
+}
+
+void test_polygons_are_refused(void)
+{
+    cairn_polygon stone;
+    ASSERT_OK(cairn_polygon_init_regular(&stone, 3, CAIRN_F(1)));
+    model = sliding(&stone.shape);
+    model.type = CAIRN_STATIC;
+    refuses(&model, 0);
+}
+
+void test_a_ball_slides_on_without_turning(void)
+{
+    cairn_body_id id = cairn_body_create(world, &model, at(CAIRN_F(-4), CAIRN_F(0.5)), 0);
+    ASSERT_OK(cairn_body_set_velocity(world, id, at(CAIRN_F(2), 0)));
+    ASSERT_OK(cairn_body_set_angular_velocity(world, id, CAIRN_F(1))); /* as of any body of fixed rotation, to no effect */
+    run(60);
+    ASSERT_NEAR_VEC2(0.001, -2, 0.5, cairn_body_position(world, id));
+    TEST_ASSERT_TRUE(cairn_body_angle(world, id) == 0);
+    TEST_ASSERT_EQUAL_INT(1, cairn_world_get_stats(world)->points);
+}
+
+void test_balls_of_one_kind_hand_over_their_speed(void)
+{
+    cairn_body_id a = cairn_body_create(world, &model, at(CAIRN_F(-2), CAIRN_F(0.5)), 0), b = cairn_body_create(world, &model, at(0, CAIRN_F(0.5)), 0);
+    ASSERT_OK(cairn_body_set_velocity(world, a, at(CAIRN_F(2), 0)));
+    run(120);
+    ASSERT_NEAR(0.02, 2, cairn_body_velocity(world, a).x + cairn_body_velocity(world, b).x);
+    TEST_ASSERT_TRUE(cairn_body_velocity(world, b).x >= cairn_body_velocity(world, a).x);
+}
