@@ -149,6 +149,7 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
         return;
     }
     out->separation = from_a > from_b ? from_a : from_b;
+    out->steady = 0;
     if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
         clip(a, b, half_b, half_a, &a_from_b, y_b, true, margin, out);
     } else {

@@ -2,7 +2,7 @@
 #include "engine.h"
 
 /* The contact of a circle of radius r with the polygon's surface in direction n from the circle. */
-static void touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_manifold *out)
+static void touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
 {
     cairn_offset middle = r + cairn_offset_half(separation);
     out->normal_x = n.x;
@@ -11,6 +11,7 @@ static void touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int fe
     out->points[0].y = cairn_offset_mul(middle, n.y);
     out->points[0].separation = out->separation = separation;
     out->points[0].feature = (uint16_t)feature;
+    out->steady = steady;
     out->count = 1;
 }
 
@@ -30,12 +31,13 @@ static cairn_offset beyond(const cairn_outline *polygon, int corner, int edge, c
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     cairn_outline polygon;
+    cairn_room room;
     cairn_offset r = cairn_offset_from_real(a->shape->size.x);
     cairn_offset most = -CAIRN_OFFSET_MAX;
     cairn_offset2 centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
     int edge = 0;
     out->count = 0;
-    b->shape->kind->outline(b->shape, &polygon);
+    b->shape->kind->outline(b->shape, room.corner, &polygon);
     for (int i = 0; i < polygon.count; i++) {
         cairn_offset distance = outside_of(&polygon, i, centre);
         if (distance > r + margin) {
@@ -46,25 +48,29 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
             edge = i;
         }
     }
+    cairn_offset steady = 0;
     if (most > 0) {
         /* Outside: beyond one of the ends of the face it is the corner that is nearest. */
         int next = edge + 1 < polygon.count ? edge + 1 : 0, corner = -1;
-        if (beyond(&polygon, edge, edge, centre) < 0) {
+        cairn_offset start = beyond(&polygon, edge, edge, centre), end = start < 0 ? 0 : -beyond(&polygon, next, edge, centre);
+        if (start < 0) {
             corner = edge;
-        } else if (beyond(&polygon, next, edge, centre) > 0) {
+        } else if (end < 0) {
             corner = next;
         }
         if (corner >= 0) {
             cairn_unit2 n;
             cairn_offset distance = cairn_unit_along(polygon.vertex[corner].x - centre.x, polygon.vertex[corner].y - centre.y, &n.x, &n.y);
             if (distance <= r + margin) {
-                touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, out);
+                touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, 0, out);
             }
             return;
         }
+        steady = start < end ? start : end;
+        steady = most < steady ? most : steady;
     }
     cairn_unit2 n = cairn_unit2_turned(polygon.normal[edge], b->c, b->s);
     n.x = -n.x;
     n.y = -n.y;
-    touch(r, most - r, n, edge, out);
+    touch(r, most - r, n, edge, steady, out);
 }

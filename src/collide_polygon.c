@@ -21,65 +21,103 @@ static relative seen_from(const cairn_pose *a, const cairn_pose *b)
     return r;
 }
 
-static relative turned_round(relative r, const cairn_pose *a, const cairn_pose *b)
+static inline relative turned_round(relative r, const cairn_pose *a, const cairn_pose *b)
 {
     r.centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
     r.s = -r.s;
     return r;
 }
 
-/* How far the polygon's farthest corner against a direction of the other frame lies from its centre; at most 0. */
-static cairn_offset support_distance(const cairn_outline *polygon, const relative *at, cairn_unit2 direction)
+/* A face of one polygon and what of the other one lies nearest to it. */
+typedef struct axis {
+    cairn_offset separation; /* along the face's normal */
+    cairn_unit2 normal;      /* of the face, in the other one's frame */
+    uint8_t edge;            /* which face */
+    uint8_t corner;          /* the nearest one of the other polygon */
+    bool of_b;               /* it is one of b's */
+} axis;
+
+/* How far the polygon's farthest corner against a direction of its own frame lies from its centre; at most 0. */
+static inline cairn_offset support_distance(const cairn_outline *polygon, cairn_unit2 n, int *corner)
 {
-    cairn_unit2 n = cairn_unit2_turned(direction, at->c, -at->s);
     cairn_offset least = 0;
     for (int i = 0; i < polygon->count; i++) {
         cairn_offset distance = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, n.x, n.y);
-        least = distance < least ? distance : least;
+        if (distance < least) {
+            least = distance;
+            *corner = i;
+        }
     }
     return least;
 }
 
-/*
- * The edge of `of` that separates it most from `from`. No corner of `from` lies farther out than
- * its centre does, so most edges are told by that one point. Beyond the margin any edge will do.
- */
-static cairn_offset deepest_axis(const cairn_outline *of, const cairn_outline *from, const relative *at, cairn_offset margin, int *edge)
+/* What the faces of `of` are to be separated from, in the frame of `of`. */
+typedef struct counterpart {
+    const cairn_outline *outline;
+    const relative *at;
+} counterpart;
+
+/* The most by which a face may separate them: as much as it does the disc. Most faces are told by that. */
+static inline cairn_offset most_of(const cairn_outline *of, int edge, const counterpart *from)
 {
-    cairn_offset most_at_best[CAIRN_MAX_VERTICES];
-    int facing = 0;
-    for (int i = 0; i < of->count; i++) {
-        most_at_best[i] = cairn_offset_dot(at->centre.x - of->vertex[i].x, at->centre.y - of->vertex[i].y, of->normal[i].x, of->normal[i].y);
-        facing = most_at_best[i] > most_at_best[facing] ? i : facing;
-    }
-    cairn_offset most = -CAIRN_OFFSET_MAX;
-    for (int k = 0; k < of->count && most <= margin; k++) {
-        int i = k == 0 ? facing : k <= facing ? k - 1 : k; /* the one that faces it first */
-        if (most_at_best[i] > most) {
-            cairn_offset distance = most_at_best[i] + support_distance(from, at, of->normal[i]);
-            if (distance > most) {
-                most = distance;
-                *edge = i;
-            }
-        }
-    }
-    return most;
+    const cairn_offset2 *vertex = &of->vertex[edge], *centre = &from->at->centre;
+    return cairn_offset_dot(centre->x - vertex->x, centre->y - vertex->y, of->normal[edge].x, of->normal[edge].y) - from->outline->inradius;
 }
 
-/* The edge of the polygon that faces most against a direction of the other frame. */
-static int incident_edge(const cairn_outline *polygon, const relative *at, cairn_unit2 direction)
+/* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */
+static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset most, const counterpart *from, axis *best)
 {
-    cairn_unit2 n = cairn_unit2_turned(direction, at->c, -at->s);
-    int edge = 0;
-    cairn_unit least = CAIRN_UNIT(1.5);
-    for (int i = 0; i < polygon->count; i++) {
-        cairn_unit facing = cairn_unit_dot(polygon->normal[i].x, polygon->normal[i].y, n.x, n.y);
-        if (facing < least) {
-            least = facing;
-            edge = i;
+    int corner = 0;
+    cairn_unit2 n = cairn_unit2_turned(of->normal[edge], from->at->c, -from->at->s);
+    cairn_offset separation = most + from->outline->inradius + support_distance(from->outline, n, &corner), before = best->separation;
+    if (separation <= before) {
+        return separation;
+    }
+    best->separation = separation;
+    best->normal = n;
+    best->edge = (uint8_t)edge;
+    best->corner = (uint8_t)corner;
+    return before;
+}
+
+/*
+ * Find the face of `of` that separates the two most, if it does more than the best one that is given. Beyond the margin any will do. The result is what any
+ * other may separate them by at most.
+ */
+static cairn_offset find_face(const cairn_outline *of, const counterpart *from, cairn_offset margin, axis *best)
+{
+    cairn_offset first = -CAIRN_OFFSET_MAX, second = -CAIRN_OFFSET_MAX;
+    int facing = 0;
+    for (int i = 0; i < of->count; i++) {
+        cairn_offset most = most_of(of, i, from);
+        if (most > first) {
+            second = first;
+            first = most;
+            facing = i;
+        } else if (most > second) {
+            second = most;
         }
     }
-    return edge;
+    if (first > best->separation) { /* the one that faces it */
+        first = try_face(of, facing, first, from, best);
+    }
+    for (int i = 0; second > best->separation && i < of->count && best->separation <= margin; i++) { /* the others are seldom needed */
+        cairn_offset most = i == facing ? best->separation : most_of(of, i, from);
+        if (most > best->separation) {
+            most = try_face(of, i, most, from, best);
+            first = most > first ? most : first;
+        }
+    }
+    return first > second ? first : second;
+}
+
+/* The edge of the polygon that faces most against a direction of its own frame: one of the two at the corner that is farthest against it. */
+static int incident_edge(const cairn_outline *polygon, int corner, cairn_unit2 n)
+{
+    int before = corner > 0 ? corner - 1 : polygon->count - 1;
+    cairn_unit one = cairn_unit_dot(polygon->normal[before].x, polygon->normal[before].y, n.x, n.y);
+    cairn_unit other = cairn_unit_dot(polygon->normal[corner].x, polygon->normal[corner].y, n.x, n.y);
+    return one < other || (one == other && before < corner) ? before : corner;
 }
 
 static int after(const cairn_outline *polygon, int edge) { return edge + 1 < polygon->count ? edge + 1 : 0; }
@@ -111,52 +149,65 @@ static edge_point clipped(edge_point point, edge_point other, cairn_offset along
     return result;
 }
 
-/* Which edge separates the two most. */
+/* What separates the two most. */
 typedef struct reference {
-    int edge;
-    bool swapped; /* it is one of b's */
+    axis face;
+    relative at; /* the other one in the frame of the polygon whose face it is */
 } reference;
 
-/* The separation along that edge; above the margin, there need not be one. */
-CAIRN_APART cairn_offset find_reference(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, reference *out)
+/* Of two that are not both boxes. False if they are farther apart than the margin. */
+CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, reference *out, cairn_offset *steady)
 {
+    cairn_room room; /* for the box, if one of them is */
     cairn_outline of_a, of_b;
-    int edge_b = 0;
-    out->edge = 0;
-    out->swapped = false;
-    a->shape->kind->outline(a->shape, &of_a);
-    b->shape->kind->outline(b->shape, &of_b);
-    relative at = seen_from(a, b);
-    cairn_offset from_a = deepest_axis(&of_a, &of_b, &at, margin, &out->edge);
-    if (from_a > margin) {
-        return from_a;
+    counterpart from;
+    a->shape->kind->outline(a->shape, room.corner, &of_a);
+    b->shape->kind->outline(b->shape, room.corner, &of_b);
+    out->at = seen_from(a, b);
+    out->face.separation = -CAIRN_OFFSET_MAX;
+    out->face.of_b = false;
+    from.outline = &of_b;
+    from.at = &out->at;
+    cairn_offset others = find_face(&of_a, &from, margin, &out->face);
+    if (out->face.separation > margin) {
+        return false;
     }
-    at = turned_round(at, a, b);
-    cairn_offset from_b = deepest_axis(&of_b, &of_a, &at, margin, &edge_b);
-    if (from_b > from_a + CAIRN_FACE_PREFERENCE) {
-        out->edge = edge_b;
-        out->swapped = true;
+    axis face;
+    relative at = turned_round(out->at, a, b);
+    face.separation = out->face.separation;
+    from.outline = &of_a;
+    from.at = &at;
+    cairn_offset others_of_b = find_face(&of_b, &from, margin, &face);
+    others = others_of_b > others ? others_of_b : others;
+    if (face.separation > out->face.separation + CAIRN_FACE_PREFERENCE) {
+        out->face = face;
+        out->at = at;
+        out->face.of_b = true;
+    } else if (face.separation > out->face.separation) {
+        out->face.separation = others = face.separation;
     }
-    return from_a > from_b ? from_a : from_b;
+    /* What nears along one face goes away along another one by as much, at most. */
+    *steady = cairn_offset_half(out->face.separation - others - (CAIRN_FACE_PREFERENCE + CAIRN_OUTLINE_ROUNDING));
+    return out->face.separation <= margin;
 }
 
 /* Clip the incident edge against the sides of the reference edge and keep what lies within the margin. */
 CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference *by, cairn_offset margin, cairn_manifold *out)
 {
-    const cairn_pose *own = by->swapped ? b : a, *other = by->swapped ? a : b;
+    const cairn_pose *own = by->face.of_b ? b : a, *against = by->face.of_b ? a : b;
     cairn_outline outline;
-    own->shape->kind->outline(own->shape, &outline);
-    int edge = by->edge;
+    cairn_room room;
+    own->shape->kind->outline(own->shape, room.corner, &outline);
+    int edge = by->face.edge;
     cairn_offset2 from = outline.vertex[edge], to = outline.vertex[after(&outline, edge)];
     cairn_unit2 n = outline.normal[edge];
     cairn_offset length = cairn_offset_dot(to.x - from.x, to.y - from.y, -n.y, n.x);
 
-    relative at = seen_from(own, other);
-    other->shape->kind->outline(other->shape, &outline);
-    int facing = incident_edge(&outline, &at, n);
+    against->shape->kind->outline(against->shape, room.corner, &outline);
+    int facing = incident_edge(&outline, by->face.corner, by->face.normal);
     edge_point ends[2];
-    ends[0] = edge_point_of(outline.vertex[facing], &at, from, n);
-    ends[1] = edge_point_of(outline.vertex[after(&outline, facing)], &at, from, n);
+    ends[0] = edge_point_of(outline.vertex[facing], &by->at, from, n);
+    ends[1] = edge_point_of(outline.vertex[after(&outline, facing)], &by->at, from, n);
 
     /* From here on in the world's directions. */
     n = cairn_unit2_turned(n, own->c, own->s);
@@ -181,20 +232,19 @@ CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference 
         result->x = from.x + cairn_offset_dot(point.along, half, -n.y, n.x);
         result->y = from.y + cairn_offset_dot(point.along, half, n.x, n.y);
         result->separation = point.separation;
-        result->feature = cairn_feature(edge, facing, i, by->swapped);
+        result->feature = cairn_feature(edge, facing, i, by->face.of_b);
     }
-    out->normal_x = by->swapped ? -n.x : n.x;
-    out->normal_y = by->swapped ? -n.y : n.y;
+    out->normal_x = by->face.of_b ? -n.x : n.x;
+    out->normal_y = by->face.of_b ? -n.y : n.y;
 }
 
-/* In two steps that do not lie on the stack together: the outlines of boxes are there. */
+/* In two steps that do not lie on the stack together: a box's corners are there. */
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     reference by;
     out->count = 0;
-    cairn_offset separation = find_reference(a, b, margin, &by);
-    if (separation <= margin) {
-        out->separation = separation;
+    if (find_reference(a, b, margin, &by, &out->steady)) {
+        out->separation = by.face.separation;
         clip(a, b, &by, margin, out);
     }
 }

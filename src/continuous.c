@@ -234,16 +234,33 @@ static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const c
  * The points of both surfaces lie within the contact's gap of one another, and are `broad` apart across n: along m the two
  * overlap by at least broad / 2 - gap now, by broad / 2 - gap - way later, and it is no face to slide over if that is more than GRAZE.
  */
-static bool is_broad(const cairn_manifold *contact, cairn_offset x, cairn_offset y, cairn_offset closing)
+static bool is_broad(const cairn_manifold *contact, cairn_offset closing, cairn_offset across)
 {
     if (contact->count < 2) {
         return false;
     }
     const cairn_manifold_point *p = &contact->points[0], *q = &contact->points[1];
     cairn_offset broad = magnitude(cairn_offset_dot(q->y - p->y, p->x - q->x, contact->normal_x, contact->normal_y));
-    cairn_offset across = magnitude(cairn_offset_dot(y, -x, contact->normal_x, contact->normal_y));
     cairn_offset gap = larger(p->separation, q->separation);
     return across <= closing / 4 && cairn_offset_half(broad) > GRAZE + gap + closing + across;
+}
+
+/*
+ * Nor is what a circle of radius r touches, where it hardly slides. Let d be r and the gap: the way from the surface's nearest point to the
+ * centre, which changes by no more than the bodies move to one another, at most |w|. So the normal turns by an angle of sine |w| / d at most, which
+ * is below 1/4, and along it the two still near one another by 0.968 of what they do now, less than |w| / d of what they go across: that is above the 3/4 from
+ * which on another contact is taken, if the latter is at most 1/5.
+ */
+static bool is_round(cairn_offset d, cairn_offset way, cairn_offset closing, cairn_offset across)
+{
+    return way < d / 4 && cairn_offset_cross(closing, 5 * across, way, d) > 0;
+}
+
+/* The radius of the circle, if one of the two is one. */
+static cairn_offset round_of(const cairn_body *a, const cairn_body *b)
+{
+    cairn_real ra = cairn_body_is_round(a) ? a->model->shape->size.x : 0, rb = cairn_body_is_round(b) ? b->model->shape->size.x : 0;
+    return cairn_offset_from_real(ra > rb ? ra : rb);
 }
 
 /* The contact of two slower bodies: not with a corner that one of them slides past. */
@@ -259,7 +276,12 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
         x *= 2;
         y *= 2;
     }
-    if (is_broad(out, x, y, -cairn_offset_dot(x, y, out->normal_x, out->normal_y))) {
+    cairn_offset way = magnitude(x) + magnitude(y);
+    if (way < out->steady) {
+        return;
+    }
+    cairn_offset closing = -cairn_offset_dot(x, y, out->normal_x, out->normal_y), across = magnitude(cairn_offset_dot(y, -x, out->normal_x, out->normal_y));
+    if (is_broad(out, closing, across) || is_round(round_of(a, b) + out->separation, way, closing, across)) {
         return;
     }
     cairn_pose pa = cairn_body_pose(a, 0, 0), pb = cairn_body_pose(b, out->x, out->y);

@@ -39,13 +39,14 @@ static void draw_circle(const cairn_debug_draw *draw, cairn_body_id id, const ca
 CAIRN_ONCE void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, const cairn_body *body)
 {
     cairn_outline outline;
+    cairn_room room;
     cairn_vec2 corners[CAIRN_MAX_VERTICES];
     if (draw->polygon == NULL) {
         return;
     }
     cairn_unit c, s;
     cairn_angle_rotation(body->angle, &c, &s);
-    body->model->shape->kind->outline(body->model->shape, &outline);
+    body->model->shape->kind->outline(body->model->shape, room.corner, &outline);
     for (int i = 0; i < outline.count; i++) {
         cairn_offset2 corner = cairn_offset2_turned(outline.vertex[i], c, s);
         corners[i] = cairn_body_point(body, corner.x, corner.y);

@@ -300,12 +300,20 @@ typedef struct cairn_pose {
     cairn_unit c, s;
 } cairn_pose;
 
+/* Where the corners of a box are, which has none of its own. */
+typedef struct cairn_room {
+    cairn_offset2 corner[4];
+} cairn_room;
+
+/* More than rounding may add to how far two outlines are apart. */
+#define CAIRN_OUTLINE_ROUNDING CAIRN_OFFSET(0.000002)
+
 /* A convex polygon in its own frame, counter-clockwise: its own corners and normals, or a box's. */
 typedef struct cairn_outline {
     int count;
+    cairn_offset inradius; /* of a disc about its centre that it surely covers */
     const cairn_offset2 *vertex;
     const cairn_unit2 *normal; /* outward, of the edge from vertex i to i + 1 */
-    cairn_offset2 corners[4];  /* where a box's are */
 } cairn_outline;
 
 /* A vector of a shape's own frame in the world, and one of the world in its frame. */
@@ -341,6 +349,7 @@ typedef struct cairn_manifold {
     cairn_unit normal_x, normal_y; /* from the first to the second body */
     cairn_offset separation;       /* along the normal; at most the distance, where the shapes are apart */
     int count;
+    cairn_offset steady;           /* where there is a contact: moved to one another by less, without turning, the two have the same normal */
     cairn_manifold_point points[2];
     cairn_offset x, y; /* the second body's centre of mass as seen from the first one's, at the time: */
     cairn_unit time;   /* of the step, 0 for now */

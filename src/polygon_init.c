@@ -224,6 +224,17 @@ static void fill_outline(cairn_polygon *polygon, const corner_list *corners, cai
     }
 }
 
+/* How near the nearest edge is. */
+static cairn_offset inradius_of(const cairn_polygon *polygon)
+{
+    cairn_offset least = CAIRN_OFFSET_MAX;
+    for (int i = 0; i < polygon->count; i++) {
+        cairn_offset distance = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, polygon->normal[i].x, polygon->normal[i].y);
+        least = distance < least ? distance : least;
+    }
+    return least;
+}
+
 /* From corners in order. */
 static cairn_status fill(cairn_polygon *polygon, const corner_list *corners, cairn_offset2 centroid)
 {
@@ -239,6 +250,7 @@ static cairn_status fill(cairn_polygon *polygon, const corner_list *corners, cai
     polygon->mass.area = cairn_wide_div(whole, cairn_wide_from_int(2));
     polygon->mass.gyration = cairn_wide_sqrt(gyration_squared(corners, whole));
     fill_outline(polygon, corners, centroid);
+    polygon->inradius = inradius_of(polygon);
     return CAIRN_OK;
 }
 

@@ -50,6 +50,7 @@ typedef struct target {
     bool quartered;
     cairn_offset radius;   /* of a circle; a polygon has an outline instead, in its own frame: */
     cairn_outline outline;
+    cairn_room room;
     cairn_unit c, s;
 } target;
 
@@ -70,7 +71,7 @@ static void set_target(target *s, const cairn_body *body, cairn_real span)
         return;
     }
     cairn_body_facing(body, &s->c, &s->s);
-    body->model->shape->kind->outline(body->model->shape, &s->outline);
+    body->model->shape->kind->outline(body->model->shape, s->room.corner, &s->outline);
 }
 
 static cairn_offset2 relative(const target *s, cairn_vec2 point)

@@ -42,16 +42,17 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 
 static const cairn_unit2 normals[4] = { { CAIRN_UNIT(1), 0 }, { 0, CAIRN_UNIT(1) }, { -CAIRN_UNIT(1), 0 }, { 0, -CAIRN_UNIT(1) } };
 
-static void outline(const cairn_shape *shape, cairn_outline *out)
+static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
 {
     cairn_offset w = cairn_offset_half(cairn_offset_from_real(shape->size.x));
     cairn_offset h = cairn_offset_half(cairn_offset_from_real(shape->size.y));
     for (int i = 0; i < 4; i++) { /* from the lower right on */
-        out->corners[i].x = i < 2 ? w : -w;
-        out->corners[i].y = i == 1 || i == 2 ? h : -h;
+        room[i].x = i < 2 ? w : -w;
+        room[i].y = i == 1 || i == 2 ? h : -h;
     }
     out->count = 4;
-    out->vertex = out->corners;
+    out->inradius = (w < h ? w : h) - CAIRN_OUTLINE_ROUNDING;
+    out->vertex = room;
     out->normal = normals;
 }
 

@@ -51,6 +51,7 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     point->x = cairn_offset_mul(middle, out->normal_x);
     point->y = cairn_offset_mul(middle, out->normal_y);
     point->feature = 0;
+    out->steady = 0;
     out->count = 1;
 }
 

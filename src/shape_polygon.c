@@ -10,17 +10,7 @@ static cairn_status check(const cairn_shape *shape)
 static cairn_wide_word area(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.area); }
 static cairn_wide_word gyration(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.gyration); }
 
-/* The nearest edge. */
-static cairn_real inradius(const cairn_shape *shape)
-{
-    const cairn_polygon *polygon = shape->polygon;
-    cairn_offset least = CAIRN_OFFSET_MAX;
-    for (int i = 0; i < polygon->count; i++) {
-        cairn_offset distance = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, polygon->normal[i].x, polygon->normal[i].y);
-        least = distance < least ? distance : least;
-    }
-    return cairn_real_from_offset(least);
-}
+static cairn_real inradius(const cairn_shape *shape) { return cairn_real_from_offset(shape->polygon->inradius); }
 
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
 {
@@ -38,9 +28,11 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     *y = cairn_real_above_offset(far_y);
 }
 
-static void outline(const cairn_shape *shape, cairn_outline *out)
+static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
 {
+    (void)room;
     out->count = shape->polygon->count;
+    out->inradius = shape->polygon->inradius - CAIRN_OUTLINE_ROUNDING;
     out->vertex = shape->polygon->vertex;
     out->normal = shape->polygon->normal;
 }

@@ -52,8 +52,8 @@ typedef struct cairn_shape_class {
     cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
-    /* The outline in the shape's own frame; null for circles. */
-    void (*outline)(const struct cairn_shape *shape, struct cairn_outline *out);
+    /* The outline in the shape's own frame; null for circles. A box's corners are written to the room for four that is given. */
+    void (*outline)(const struct cairn_shape *shape, cairn_offset2 *room, struct cairn_outline *out);
     /* The contact of a (of lower or equal rank) with b, seen from a's centre of mass; by the rank of a. */
     void (*collide[3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
 } cairn_shape_class;
@@ -76,6 +76,7 @@ typedef struct cairn_shape {
 typedef struct cairn_polygon {
     cairn_shape shape; /* use &polygon.shape */
     uint8_t count;
+    cairn_offset inradius; /* of the disc about the centroid that it covers */
     cairn_offset2 centroid, vertex[CAIRN_MAX_VERTICES]; /* vertices relative to the centroid */
     cairn_unit2 normal[CAIRN_MAX_VERTICES]; /* outward, of the edge from vertex i to i + 1 */
     cairn_mass_data mass;

@@ -446,6 +446,45 @@ void test_boxes_collide_as_their_polygons_do(void)
     TEST_ASSERT_TRUE(contacts > 500);
 }
 
+/* ---- how far the normal holds ---- */
+
+/* By its length along both axes, which is less than `steady`. */
+static void move_by_less(cairn_pose *p, cairn_offset steady, uint32_t *seed)
+{
+    int32_t part = random_between(seed, 0, 999), sign = random_between(seed, 0, 3);
+    cairn_offset x = steady / 1000 * part, y = steady / 1000 * (999 - part);
+    p->x += sign & 1 ? x : -x;
+    p->y += sign & 2 ? y : -y;
+}
+
+static int count_steady(const cairn_shape *first, const cairn_shape *second, int32_t apart)
+{
+    uint32_t seed = 7;
+    int steady = 0;
+    for (int i = 0; i < 2000; i++) {
+        cairn_pose a = pose(first, 0, 0, cairn_angle_of_turn(random_between(&seed, 0, 359), 360));
+        cairn_pose b = pose(second, random_offset(&seed, apart), random_offset(&seed, apart), cairn_angle_of_turn(random_between(&seed, 0, 359), 360));
+        collide(&a, &b);
+        if (m.count != 0 && m.steady > 0) {
+            cairn_manifold before = m;
+            steady++;
+            move_by_less(&b, before.steady, &seed);
+            collide(&a, &b);
+            TEST_ASSERT_TRUE(m.count == 0 || (m.normal_x == before.normal_x && m.normal_y == before.normal_y));
+        }
+    }
+    return steady;
+}
+
+void test_moved_by_less_than_it_is_steady_for_a_contact_keeps_its_normal(void)
+{
+    TEST_ASSERT_GREATER_THAN_INT(200, count_steady(&octagon.shape, &octagon.shape, 2000));
+    TEST_ASSERT_GREATER_THAN_INT(200, count_steady(&triangle.shape, &square.shape, 2500));
+    TEST_ASSERT_GREATER_THAN_INT(200, count_steady(&slab4.shape, &triangle.shape, 2500));
+    TEST_ASSERT_GREATER_THAN_INT(200, count_steady(&ball, &octagon.shape, 1500));
+    TEST_ASSERT_GREATER_THAN_INT(200, count_steady(&disc, &slab, 2500));
+}
+
 /* ---- both orders of a pair ---- */
 
 static void assert_contact(const cairn_shape *first, const cairn_shape *second)

@@ -51,7 +51,7 @@ static void polygon(int place, const cairn_polygon *p)
 {
     printf("static const cairn_polygon shape_%d = {\n    .shape = { &cairn_polygon_class, { %ld, %ld }, &shape_%d },\n", place,
            (long)p->shape.size.x, (long)p->shape.size.y, place);
-    printf("    .count = %d,\n    .centroid = { %ld, %ld },\n    .vertex = {", p->count, (long)p->centroid.x, (long)p->centroid.y);
+    printf("    .count = %d,\n    .inradius = %ld,\n    .centroid = { %ld, %ld },\n    .vertex = {", p->count, (long)p->inradius, (long)p->centroid.x, (long)p->centroid.y);
     for (int k = 0; k < p->count; k++) {
         printf(" { %ld, %ld },", (long)p->vertex[k].x, (long)p->vertex[k].y);
     }
