@@ -13,6 +13,7 @@ set(CAIRN_SOURCES
     src/bounce_strike.c
     src/broad_pairs.c
     src/collide_box.c
+    src/collide_circle_box.c
     src/collide_circle_polygon.c
     src/collide_polygon.c
     src/contact.c
@@ -31,6 +32,7 @@ set(CAIRN_SOURCES
     src/rows.c
     src/shape_box.c
     src/shape_circle.c
+    src/shape_measure.c
     src/shape_polygon.c
     src/sleep.c
     src/slide.c

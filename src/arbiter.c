@@ -25,6 +25,9 @@ static uint16_t place_of(const cairn_world *world, uint32_t key)
 /* Pairs come in nearly the same order as in the step before: each arbiter knows the one that was found after it. */
 static void expect_after(cairn_world *world, cairn_arbiter *arbiter)
 {
+    if (!CAIRN_WITH_SHORTCUTS) {
+        return;
+    }
     *world->expected = (uint16_t)(arbiter - world->arbiters);
     world->expected = &arbiter->after;
 }
@@ -65,7 +68,7 @@ static void share_masses(cairn_arbiter *arbiter, const cairn_body *a, const cair
         return;
     }
     arbiter->share_a = cairn_bodies_share(a, b);
-    if (arbiter->share_a < CAIRN_UNEVEN_SHARE || cairn_arbiter_share_b(arbiter) < CAIRN_UNEVEN_SHARE) {
+    if (CAIRN_WITH_MASSES && (arbiter->share_a < CAIRN_UNEVEN_SHARE || cairn_arbiter_share_b(arbiter) < CAIRN_UNEVEN_SHARE)) {
         arbiter->block = CAIRN_BLOCK_UNEVEN;
     }
 }

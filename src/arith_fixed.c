@@ -439,9 +439,9 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
     r = inverse_root_32(high_word(square));
     *ux = component(ax, r, x);
     *uy = component(ay, r, y);
-    if (shift >= 4) { /* below 32 m: length = square / length */
+    if (!CAIRN_WITH_GIANTS || shift >= 4) { /* below 32 m: length = square / length */
         length = high_word(cairn_product(high_word(square), r));
-        return (cairn_offset)(((length >> (shift - 2)) + 1) >> 1);
+        return shift < 2 ? with_sign(length << (1 - shift), 1) : (cairn_offset)(((length >> (shift - 2)) + 1) >> 1);
     }
     /* That is too coarse for the last bit of a longer one: take the root itself. */
     return with_sign((uint32_t)(((uint64_t)root(square) + ((1u << shift) >> 1)) >> shift), 1);

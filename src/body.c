@@ -72,7 +72,7 @@ cairn_wide_word cairn_body_mass_word(const cairn_body *body)
     if (!cairn_body_is_dynamic(body)) {
         return cairn_wide_to_word(cairn_wide_zero());
     }
-    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(model->shape->kind->area(model->shape)), model->density));
+    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(cairn_shape_area(model->shape)), model->density));
 }
 
 cairn_wide_word cairn_bodies_reduced_mass_word(const cairn_body *a, const cairn_body *b)
@@ -86,7 +86,7 @@ cairn_wide_word cairn_bodies_reduced_mass_word(const cairn_body *a, const cairn_
 
 cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b)
 {
-    if (a->model == b->model) {
+    if (!CAIRN_WITH_MASSES || a->model == b->model) {
         return CAIRN_SHARE(0.5);
     }
     cairn_wide of_a = cairn_body_mass_of(a), of_b = cairn_body_mass_of(b);
@@ -97,49 +97,83 @@ cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b)
 
 static bool within(cairn_real x, cairn_real limit) { return x <= limit && x >= -limit; }
 
-static bool is_material_valid(const cairn_material *material)
+/* Does a build without some features (config.h) know all that a material asks for? */
+static bool is_built_for_material(const cairn_material *material)
 {
-    return material->kinetic_friction >= 0 && material->kinetic_friction <= material->static_friction
-        && material->static_friction <= CAIRN_FACTOR(64) && material->restitution >= 0 && material->restitution <= CAIRN_FACTOR(1)
-        && material->threshold >= 0 && (material->restitution == 0 || material->bounce != NULL);
+    return (CAIRN_WITH_BOUNCE || (material->bounce == NULL && material->restitution == 0))
+        && (CAIRN_WITH_FRICTION || (material->static_friction == 0 && material->kinetic_friction == 0));
 }
 
-/* Does a build without some features (config.h) know all that the model asks for? */
+/* And a model? */
 static bool is_built_for(const cairn_body_model *model)
 {
-    bool damps = model->damping != 0 || model->angular_damping != 0, round = model->shape->kind->outline == NULL;
-    return (CAIRN_WITH_BOUNCE || model->material->bounce == NULL) && (CAIRN_WITH_FIXED_POSITION || !model->fixed_position)
-        && (CAIRN_WITH_SENSORS || !model->sensor) && (CAIRN_WITH_DAMPING || !damps)
-        && (CAIRN_WITH_FRICTION || model->material->static_friction == 0) && (CAIRN_WITH_POLYGONS || model->shape->polygon == NULL)
-        && (CAIRN_MAX_POINTS > 1 || model->type != CAIRN_DYNAMIC || round)
-        && (CAIRN_WITH_TURNING || model->type == CAIRN_STATIC || model->fixed_rotation)
-        && (CAIRN_WITH_SLOPES || round || model->type == CAIRN_STATIC || model->fixed_rotation);
+    bool still = model->type == CAIRN_STATIC, round = model->shape->kind->outline == NULL;
+    return is_built_for_material(model->material) && (CAIRN_WITH_FIXED_POSITION || !model->fixed_position) && (CAIRN_WITH_SENSORS || !model->sensor)
+        && (CAIRN_WITH_DAMPING || (model->damping == 0 && model->angular_damping == 0))
+        && (CAIRN_WITH_GRAVITY_SCALE || still || model->gravity_scale == CAIRN_F(1))
+        && (CAIRN_WITH_POLYGONS || model->shape->polygon == NULL) && (CAIRN_MAX_POINTS > 1 || model->type != CAIRN_DYNAMIC || round)
+        && ((CAIRN_WITH_TURNING && (CAIRN_WITH_SLOPES || round)) || still || model->fixed_rotation);
 }
 
-static cairn_status check_model(const cairn_body_model *model, cairn_mass_data *mass)
+/* What a build does not know it has refused. */
+static bool is_material_valid(const cairn_material *material)
+{
+    return (!CAIRN_WITH_FRICTION
+            || (material->kinetic_friction >= 0 && material->kinetic_friction <= material->static_friction
+                && material->static_friction <= CAIRN_FACTOR(64)))
+        && (!CAIRN_WITH_BOUNCE
+            || (material->restitution >= 0 && material->restitution <= CAIRN_FACTOR(1) && material->threshold >= 0
+                && (material->restitution == 0 || material->bounce != NULL)));
+}
+
+static bool is_damping_valid(cairn_real damping) { return !CAIRN_WITH_DAMPING || (damping >= 0 && damping <= CAIRN_F(1000)); }
+
+static bool is_model_valid(const cairn_body_model *model)
+{
+    return (model->type == CAIRN_DYNAMIC || model->type == CAIRN_STATIC || model->type == CAIRN_KINEMATIC) && is_material_valid(model->material)
+        && (!CAIRN_WITH_GRAVITY_SCALE || within(model->gravity_scale, CAIRN_F(16))) && is_damping_valid(model->damping)
+        && is_damping_valid(model->angular_damping);
+}
+
+/* Where a build knows one mass only: is it that of what moves already? */
+static bool is_like_others(const cairn_world *world, const cairn_body_model *model)
+{
+    for (uint16_t i = 0; !CAIRN_WITH_MASSES && i < world->body_end; i++) {
+        const cairn_body *body = &world->bodies[i];
+        if ((body->flags & CAIRN_BODY_USED) && cairn_body_is_dynamic(body)
+            && (body->model->shape != model->shape || !cairn_wide_is(body->model->density, model->density))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_mass_valid(const cairn_body_model *model)
+{
+    if (!CAIRN_WITH_MASSES) {
+        return !cairn_wide_is_zero(model->density); /* contacts ask for no more */
+    }
+    cairn_wide kilograms = cairn_wide_mul(cairn_wide_from_word(cairn_shape_area(model->shape)), model->density);
+    return !cairn_wide_less(kilograms, MASS_MIN) && !cairn_wide_less(MASS_MAX, kilograms);
+}
+
+static cairn_status check_model(const cairn_world *world, const cairn_body_model *model)
 {
     if (model == NULL || model->shape == NULL || model->shape->kind == NULL || model->material == NULL) {
         return CAIRN_ERROR_NULL;
     }
-    cairn_status status = cairn_shape_measure(model->shape, mass);
+    cairn_status status = model->shape->kind->check(model->shape);
     if (status != CAIRN_OK) {
         return status;
     }
-    if ((model->type != CAIRN_DYNAMIC && model->type != CAIRN_STATIC && model->type != CAIRN_KINEMATIC)
-        || !is_material_valid(model->material) || !within(model->gravity_scale, CAIRN_F(16)) || model->damping < 0
-        || model->damping > CAIRN_F(1000) || model->angular_damping < 0 || model->angular_damping > CAIRN_F(1000)) {
-        return CAIRN_ERROR_RANGE;
-    }
+    bool dynamic = model->type == CAIRN_DYNAMIC;
     if (!is_built_for(model)) {
         return CAIRN_ERROR_KIND;
     }
-    if (model->type == CAIRN_DYNAMIC) {
-        cairn_wide kilograms = cairn_wide_mul(mass->area, model->density);
-        if (cairn_wide_less(kilograms, MASS_MIN) || cairn_wide_less(MASS_MAX, kilograms)) {
-            return CAIRN_ERROR_RANGE;
-        }
+    if (!is_model_valid(model) || (dynamic && !is_mass_valid(model))) {
+        return CAIRN_ERROR_RANGE;
     }
-    return CAIRN_OK;
+    return !dynamic || is_like_others(world, model) ? CAIRN_OK : CAIRN_ERROR_KIND;
 }
 
 static cairn_body *take_place(cairn_world *world)
@@ -163,20 +197,21 @@ static cairn_body *take_place(cairn_world *world)
 
 static unsigned flags_of(const cairn_body_model *model)
 {
-    bool dynamic = model->type == CAIRN_DYNAMIC, fixed = dynamic && model->fixed_position;
-    bool plain = dynamic && !fixed && model->gravity_scale == CAIRN_F(1) && model->damping == 0 && model->angular_damping == 0;
+    bool dynamic = model->type == CAIRN_DYNAMIC, fixed = CAIRN_WITH_FIXED_POSITION && dynamic && model->fixed_position;
+    bool plain = dynamic && !CAIRN_HAS_ODD_BODIES;
+    plain = plain || (dynamic && !fixed && model->gravity_scale == CAIRN_F(1) && model->damping == 0 && model->angular_damping == 0);
     return (unsigned)model->type | cairn_flag_if(fixed, CAIRN_BODY_FIXED_POSITION) | cairn_flag_if(plain, CAIRN_BODY_PLAIN);
 }
 
 #define OF_MODEL (CAIRN_BODY_TYPE | CAIRN_BODY_FIXED_POSITION | CAIRN_BODY_PLAIN)
 
-static void take_model(cairn_world *world, cairn_body *body, const cairn_body_model *model, const cairn_mass_data *mass)
+static void take_model(cairn_world *world, cairn_body *body, const cairn_body_model *model)
 {
     body->model = model;
     body->flags = (uint16_t)((body->flags & ~(unsigned)OF_MODEL) | flags_of(model));
     body->inverse_gyration = 0;
     if (CAIRN_WITH_TURNING && model->type != CAIRN_STATIC && !model->fixed_rotation) {
-        body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(mass->gyration));
+        body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(cairn_wide_from_word(cairn_shape_gyration(model->shape))));
     }
     if (model->material->bounce != NULL) {
         world->bounce = model->material->bounce;
@@ -250,11 +285,10 @@ static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 veloci
 
 cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *model, cairn_vec2 position, cairn_angle angle)
 {
-    cairn_mass_data mass;
     if (world == NULL) {
         return cairn_body_id_null();
     }
-    cairn_status status = world->locked ? CAIRN_ERROR_LOCKED : check_model(model, &mass);
+    cairn_status status = world->locked ? CAIRN_ERROR_LOCKED : check_model(world, model);
     if (status == CAIRN_OK && !may_stand(model, angle)) {
         status = CAIRN_ERROR_KIND;
     }
@@ -267,7 +301,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
         return cairn_body_id_null();
     }
     body->flags = CAIRN_BODY_USED;
-    take_model(world, body, model, &mass);
+    take_model(world, body, model);
     place(world, body, position, angle);
     disturb(world, body);
     return cairn_body_id_of(world, body);
@@ -384,12 +418,11 @@ static void change_contacts(cairn_world *world, const cairn_body *body, uint16_t
 cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const cairn_body_model *model)
 {
     cairn_status status;
-    cairn_mass_data mass;
     cairn_body *body = cairn_body_find_to_change(world, id, &status);
     if (body == NULL) {
         return status;
     }
-    status = check_model(model, &mass);
+    status = check_model(world, model);
     if (status == CAIRN_OK && (model->shape != body->model->shape || model->type != body->model->type)) {
         status = CAIRN_ERROR_KIND;
     }
@@ -398,7 +431,7 @@ cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const ca
     }
     cairn_wide old_mass = cairn_body_mass_of(body), new_mass;
     const cairn_body_model *old = body->model;
-    take_model(world, body, model, &mass);
+    take_model(world, body, model);
     new_mass = cairn_body_mass_of(body);
     if (!cairn_body_can_turn(body)) {
         body->w = 0;
@@ -411,17 +444,4 @@ cairn_status cairn_body_set_model(cairn_world *world, cairn_body_id id, const ca
     cairn_body_wake_up(world, body);
     change_contacts(world, body, (uint16_t)(id.index - 1), same_mass && as_free);
     return CAIRN_OK;
-}
-
-cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)
-{
-    if (shape == NULL || shape->kind == NULL || out == NULL) {
-        return CAIRN_ERROR_NULL;
-    }
-    cairn_status status = shape->kind->check(shape);
-    if (status == CAIRN_OK) {
-        out->area = cairn_wide_from_word(shape->kind->area(shape));
-        out->gyration = cairn_wide_from_word(shape->kind->gyration(shape));
-    }
-    return status;
 }

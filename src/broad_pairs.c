@@ -43,6 +43,27 @@ static void sort(cairn_world *world)
     }
 }
 
+/* Are their boxes near on the y axis, and may they meet as bodies? */
+static bool may_pair(const cairn_body *a, const cairn_body *b)
+{
+    return cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y)) && (b->flags & CAIRN_BODY_USED)
+        && (cairn_body_is_active(a) || cairn_body_is_active(b));
+}
+
+/* Each against those with higher places: where it is not worth sorting them. */
+static void pair_all(cairn_world *world)
+{
+    for (uint16_t i = 0; i < world->body_end; i++) {
+        const cairn_body *a = &world->bodies[i];
+        for (uint16_t j = 0; (a->flags & CAIRN_BODY_USED) && j < i; j++) {
+            const cairn_body *b = &world->bodies[j];
+            if (cairn_boxes_are_near(a, b, 0) && may_pair(a, b)) {
+                cairn_arbiter_pair(world, j, i);
+            }
+        }
+    }
+}
+
 /* A body against those behind it. */
 static void pair_with_rest(cairn_world *world, const uint16_t *place, const uint16_t *end)
 {
@@ -64,6 +85,10 @@ static void pair_with_rest(cairn_world *world, const uint16_t *place, const uint
 
 static void find_pairs(cairn_world *world)
 {
+    if (!CAIRN_WITH_SORT) {
+        pair_all(world);
+        return;
+    }
     take_in_new_bodies(world);
     sort(world);
     const uint16_t *end = world->sorted + world->sorted_count;

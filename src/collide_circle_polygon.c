@@ -1,20 +1,6 @@
 /* The narrow phase of a circle with a polygon: the nearest face, or the nearest corner where the centre lies beyond a face's end. */
 #include "engine.h"
 
-/* The contact of a circle of radius r with the polygon's surface in direction n from the circle. */
-static void touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
-{
-    cairn_offset middle = r + cairn_offset_half(separation);
-    out->normal_x = n.x;
-    out->normal_y = n.y;
-    out->points[0].x = cairn_offset_mul(middle, n.x);
-    out->points[0].y = cairn_offset_mul(middle, n.y);
-    out->points[0].separation = out->separation = separation;
-    out->points[0].feature = (uint16_t)feature;
-    out->steady = steady;
-    out->count = 1;
-}
-
 /* How far a point lies outside of an edge. */
 static cairn_offset outside_of(const cairn_outline *polygon, int edge, cairn_offset2 p)
 {
@@ -62,7 +48,7 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
             cairn_unit2 n;
             cairn_offset distance = cairn_unit_along(polygon.vertex[corner].x - centre.x, polygon.vertex[corner].y - centre.y, &n.x, &n.y);
             if (distance <= r + margin) {
-                touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, 0, out);
+                cairn_circle_touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, 0, out);
             }
             return;
         }
@@ -72,5 +58,5 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
     cairn_unit2 n = cairn_unit2_turned(polygon.normal[edge], b->c, b->s);
     n.x = -n.x;
     n.y = -n.y;
-    touch(r, most - r, n, edge, steady, out);
+    cairn_circle_touch(r, most - r, n, edge, steady, out);
 }

@@ -92,6 +92,19 @@ static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
     return CAIRN_MAX_POINTS > 1 && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; /* see cairn_world_slides() */
 }
 
+/*
+ * Do contacts differ in the way they take? Not where all that moves is alike, round, and slides: they are then swept in the order of their
+ * bodies, each as CAIRN_PATH_CENTRAL.
+ */
+#define CAIRN_HAS_WAYS \
+    (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
+     || CAIRN_WITH_FIXED_POSITION || CAIRN_WITH_BLOCKS || CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_CONTINUOUS || CAIRN_WITH_SHORTCUTS \
+     || CAIRN_WITH_HOLD)
+static inline unsigned cairn_arbiter_turn(const cairn_arbiter *arbiter)
+{
+    return CAIRN_HAS_WAYS ? arbiter->path & CAIRN_PATH_TURN : CAIRN_PATH_CENTRAL;
+}
+
 /* The flag if it is to be set. */
 static inline unsigned cairn_flag_if(bool set, unsigned flag) { return set ? flag : 0u; }
 
@@ -108,6 +121,10 @@ static inline bool cairn_body_is_stirring(const cairn_body *body)
 {
     return cairn_body_is_active(body) && (cairn_body_is_dynamic(body) || body->vx != 0 || body->vy != 0 || body->w != 0);
 }
+
+/* ---- shape_measure.c ---- */
+cairn_wide_word cairn_shape_area(const cairn_shape *shape);
+cairn_wide_word cairn_shape_gyration(const cairn_shape *shape);
 
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
 cairn_wide_word cairn_body_mass_word(const cairn_body *body);
@@ -142,6 +159,8 @@ static inline bool cairn_bodies_are_fixed(const cairn_body *a, const cairn_body 
 {
     return CAIRN_WITH_FIXED_POSITION && ((a->flags | b->flags) & CAIRN_BODY_FIXED_POSITION) != 0;
 }
+/* Are there dynamic bodies that are not CAIRN_BODY_PLAIN? */
+#define CAIRN_HAS_ODD_BODIES (CAIRN_WITH_GRAVITY_SCALE || CAIRN_WITH_DAMPING || CAIRN_WITH_FIXED_POSITION)
 static inline bool cairn_body_is_sensing(const cairn_body *body) { return CAIRN_WITH_SENSORS && body->model->sensor; }
 /* Of two that are round and free to move none slides in the sense of slide.c. */
 static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_MAX_POINTS > 1 && world->slides; }
@@ -367,7 +386,22 @@ static inline uint16_t cairn_feature(int reference, int incident, int end, bool 
     return (uint16_t)(swapped ? incident << 5 | reference << 1 | (1 - end) : reference << 5 | incident << 1 | end);
 }
 
+/* The contact of a circle of radius r with a polygon's surface in direction n from the circle. */
+static inline void cairn_circle_touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
+{
+    cairn_offset middle = r + cairn_offset_half(separation);
+    out->normal_x = n.x;
+    out->normal_y = n.y;
+    out->points[0].x = cairn_offset_mul(middle, n.x);
+    out->points[0].y = cairn_offset_mul(middle, n.y);
+    out->points[0].separation = out->separation = separation;
+    out->points[0].feature = (uint16_t)feature;
+    out->steady = steady;
+    out->count = 1;
+}
+
 void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+void cairn_collide_circle_box(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);

@@ -289,9 +289,6 @@ void cairn_arbiters_follow(cairn_world *world)
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
         arbiter->flags = (uint8_t)(flags & ~(unsigned)CAIRN_ARBITER_FRESH);
-        if (!CAIRN_WITH_HOLD) {
-            continue;
-        }
         if (flags & CAIRN_ARBITER_SOLVED) {
             follow(world, arbiter, &bodies[arbiter->a], &bodies[arbiter->b], deepest);
         } else if (cairn_arbiter_idles(arbiter)) {

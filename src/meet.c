@@ -10,6 +10,7 @@
  * offset's range. Only giants at the highest speeds get here.
  */
 #define CENTRES_APART_MAX CAIRN_F(256)
+#define MAY_BE_FAR (CAIRN_WITH_GIANTS || CAIRN_MAX_POINTS > 1) /* else one is a small circle */
 
 cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y)
 {
@@ -121,6 +122,9 @@ static cairn_real radius_of(const cairn_body *body)
     return size.y == 0 ? size.x : cairn_real_half(size.x > size.y ? size.x + cairn_real_half(size.y) : size.y + cairn_real_half(size.x));
 }
 
+/* What is round does not come as near as that in the narrow phase either: there it only saves time. */
+#define MAY_BE_BEYOND (CAIRN_WITH_SHORTCUTS || CAIRN_MAX_POINTS > 1)
+
 /* Boxes meet at their corners, where most bodies have none: those are farther apart than the discs around them. */
 CAIRN_APART bool are_beyond(const cairn_body *a, const cairn_body *b)
 {
@@ -131,7 +135,8 @@ CAIRN_APART bool are_beyond(const cairn_body *a, const cairn_body *b)
 static bool may_look(const cairn_world *world, uint16_t a, uint16_t b)
 {
     const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    return cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) && cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)
+    return (!MAY_BE_FAR
+            || (cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) && cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)))
         && cairn_bodies_may_meet(world, a, b);
 }
 
@@ -167,8 +172,10 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
         }
         cairn_arbiter_engage(world, arbiter, body_a, body_b);
     }
-    arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
-    cairn_arbiter_take_turn(world, before, arbiter->path);
+    if (CAIRN_HAS_WAYS) {
+        arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
+        cairn_arbiter_take_turn(world, before, arbiter->path);
+    }
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
 }
 
@@ -176,7 +183,7 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
 static inline cairn_arbiter *expected(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t slot = *world->expected;
-    if (slot != CAIRN_NONE) {
+    if (CAIRN_WITH_SHORTCUTS && slot != CAIRN_NONE) {
         cairn_arbiter *arbiter = &world->arbiters[slot];
         if (arbiter->a == a && arbiter->b == b) { /* what is free again is of no body */
             world->expected = &arbiter->after;
@@ -234,7 +241,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_arbiter *arbiter = expected(world, a, b);
     if (arbiter == NULL) {
-        if (are_beyond(body_a, body_b)) {
+        if (MAY_BE_BEYOND && are_beyond(body_a, body_b)) {
             return;
         }
         arbiter = cairn_arbiter_search(world, a, b);

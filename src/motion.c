@@ -133,7 +133,7 @@ void cairn_bodies_end_search(cairn_world *world)
 /* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */
 static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real damping)
 {
-    if (!CAIRN_WITH_DAMPING || damping == 0 || v == 0) {
+    if (damping == 0 || v == 0) {
         return v;
     }
     cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(world->rate));
@@ -158,7 +158,7 @@ static inline void spin_up(cairn_body *body, cairn_motion by)
 void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cairn_motion gy)
 {
     cairn_motion fx = body->ux, fy = body->uy, fw = body->uw;
-    if (!(body->flags & CAIRN_BODY_PLAIN)) {
+    if (CAIRN_WITH_DAMPING && !(body->flags & CAIRN_BODY_PLAIN)) {
         body->vx = damped(world, body->vx, body->model->damping);
         body->vy = damped(world, body->vy, body->model->damping);
         if (CAIRN_WITH_TURNING) {
@@ -172,7 +172,7 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
         body->vx = cairn_motion_add(body->vx + gx, fx);
         body->vy = cairn_motion_add(body->vy + gy, fy);
         spin_up(body, fw);
-    } else if (cairn_body_is_dynamic(body)) {
+    } else if (CAIRN_HAS_ODD_BODIES && cairn_body_is_dynamic(body)) {
         body->vx = cairn_motion_add(body->vx + scaled(world, gx, body), fx);
         body->vy = cairn_motion_add(body->vy + scaled(world, gy, body), fy);
         spin_up(body, fw);
@@ -273,6 +273,9 @@ static void mark_held(cairn_world *world)
     for (const uint16_t *at = world->order; at != end; at++) {
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
+        if (!CAIRN_WITH_HOLD) { /* else hold.c does it */
+            arbiter->flags = (uint8_t)(flags &= ~(unsigned)CAIRN_ARBITER_FRESH);
+        }
         if (!(flags & CAIRN_ARBITER_SOLVED)) {
             continue;
         }
@@ -333,7 +336,7 @@ void cairn_body_move(cairn_world *world, cairn_body *body) { move(world, body); 
 static void straighten(const cairn_world *world, cairn_body *body)
 {
     cairn_motion gx = world->gravity_x.whole, gy = world->gravity_y.whole;
-    if (!(body->flags & CAIRN_BODY_PLAIN)) {
+    if (CAIRN_HAS_ODD_BODIES && !(body->flags & CAIRN_BODY_PLAIN)) {
         gx = scaled(world, gx, body);
         gy = scaled(world, gy, body);
     }
@@ -375,5 +378,7 @@ void cairn_bodies_finish(cairn_world *world)
         body->ux = 0;
         body = next;
     }
-    cairn_arbiters_follow(world);
+    if (CAIRN_WITH_HOLD) {
+        cairn_arbiters_follow(world);
+    }
 }

@@ -43,8 +43,20 @@ static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
     return push < -world->push_out_limit ? -world->push_out_limit : push;
 }
 
-/* Hand the impulses of points that persist to their new rows. */
-static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold)
+/* The impulses of a point that persists stay with it; false if it does not. */
+static bool keep_impulse(cairn_arbiter *arbiter, const cairn_manifold *manifold)
+{
+    cairn_row *row = &arbiter->rows[0];
+    bool kept = arbiter->count != 0 && row->feature == manifold->points[0].feature && !cairn_row_came_flying(row);
+    row->feature = manifold->points[0].feature;
+    if (!kept) {
+        row->impulse = row->load = 0;
+    }
+    return kept;
+}
+
+/* The same where there may be two. */
+static bool keep_impulses_of_two(cairn_arbiter *arbiter, const cairn_manifold *manifold)
 {
     cairn_row old[2] = { arbiter->rows[0], arbiter->rows[CAIRN_LAST_ROW] };
     int old_count = arbiter->count;
@@ -62,6 +74,14 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
             }
         }
     }
+    return kept;
+}
+
+/* Hand the impulses of points that persist to their new rows. */
+static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold)
+{
+    int old_count = arbiter->count;
+    bool kept = CAIRN_MAX_POINTS == 1 ? keep_impulse(arbiter, manifold) : keep_impulses_of_two(arbiter, manifold);
     if (!kept) {
         arbiter->friction_impulse = 0;
     }

@@ -7,20 +7,7 @@ static cairn_status check(const cairn_shape *shape)
     if (w < CAIRN_SHAPE_RADIUS_MIN || h < CAIRN_SHAPE_RADIUS_MIN || w > 2 * CAIRN_SHAPE_RADIUS_MAX || h > 2 * CAIRN_SHAPE_RADIUS_MAX) {
         return CAIRN_ERROR_SHAPE;
     }
-    return cairn_real_length(w, h) <= 2 * CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
-}
-
-static cairn_wide_word area(const cairn_shape *shape)
-{
-    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_real(shape->size.x), cairn_wide_from_real(shape->size.y)));
-}
-
-/* gyration^2 = (w^2 + h^2) / 12 */
-static cairn_wide_word gyration(const cairn_shape *shape)
-{
-    cairn_wide w = cairn_wide_from_real(shape->size.x), h = cairn_wide_from_real(shape->size.y);
-    cairn_wide squared = cairn_wide_add(cairn_wide_mul(w, w), cairn_wide_mul(h, h));
-    return cairn_wide_to_word(cairn_wide_sqrt(cairn_wide_div(squared, cairn_wide_from_int(12))));
+    return cairn_real_is_short(w, h, 2 * CAIRN_SHAPE_RADIUS_MAX) ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
 static cairn_real inradius(const cairn_shape *shape)
@@ -36,8 +23,8 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     cairn_offset h = cairn_offset_half(cairn_offset_from_real(shape->size.y));
     c = magnitude(c);
     s = magnitude(s);
-    *x = cairn_real_above_offset(cairn_offset_dot(w, h, c, s));
-    *y = cairn_real_above_offset(cairn_offset_dot(w, h, s, c));
+    *x = cairn_real_above_offset(CAIRN_WITH_SLOPES ? cairn_offset_dot(w, h, c, s) : w);
+    *y = cairn_real_above_offset(CAIRN_WITH_SLOPES ? cairn_offset_dot(w, h, s, c) : h);
 }
 
 static const cairn_unit2 normals[4] = { { CAIRN_UNIT(1), 0 }, { 0, CAIRN_UNIT(1) }, { -CAIRN_UNIT(1), 0 }, { 0, -CAIRN_UNIT(1) } };
@@ -57,5 +44,5 @@ static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, area, gyration, inradius, extents, outline, { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
+    1, check, inradius, extents, outline, { cairn_collide_circle_box, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
 };

@@ -3,24 +3,7 @@
 
 static cairn_status check(const cairn_shape *shape)
 {
-    return shape->size.x >= CAIRN_SHAPE_RADIUS_MIN && shape->size.x <= CAIRN_SHAPE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
-}
-
-static cairn_wide_word square(const cairn_shape *shape)
-{
-    cairn_wide r = cairn_wide_from_real(shape->size.x);
-    return cairn_wide_to_word(cairn_wide_mul(r, r));
-}
-
-static cairn_wide_word area(const cairn_shape *shape)
-{
-    return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(square(shape)), CAIRN_WIDE_PI));
-}
-
-/* gyration^2 = r^2 / 2 */
-static cairn_wide_word gyration(const cairn_shape *shape)
-{
-    return cairn_wide_to_word(cairn_wide_sqrt(cairn_wide_div(cairn_wide_from_word(square(shape)), cairn_wide_from_int(2))));
+    return shape->size.x >= CAIRN_SHAPE_RADIUS_MIN && shape->size.x <= CAIRN_CIRCLE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
 static cairn_real inradius(const cairn_shape *shape) { return shape->size.x; }
@@ -55,4 +38,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     out->count = 1;
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, area, gyration, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };

@@ -7,9 +7,6 @@ static cairn_status check(const cairn_shape *shape)
     return polygon != NULL && polygon->count >= 3 && polygon->count <= CAIRN_MAX_VERTICES ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_wide_word area(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.area); }
-static cairn_wide_word gyration(const cairn_shape *shape) { return cairn_wide_to_word(shape->polygon->mass.gyration); }
-
 static cairn_real inradius(const cairn_shape *shape) { return cairn_real_from_offset(shape->polygon->inradius); }
 
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
@@ -38,6 +35,6 @@ static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline
 }
 
 const cairn_shape_class cairn_polygon_class = {
-    2, check, area, gyration, inradius, extents, outline,
+    2, check, inradius, extents, outline,
     { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_polygons), CAIRN_OF_TWO(cairn_collide_polygons) }
 };

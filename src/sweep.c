@@ -70,7 +70,7 @@ static void arrange(cairn_world *world)
 
 void cairn_sweep_arrange(cairn_world *world)
 {
-    if (world->rearranged) {
+    if (CAIRN_HAS_WAYS && world->rearranged) {
         arrange(world);
     }
 }
@@ -102,7 +102,8 @@ static bool may_be_far(const cairn_arbiter *arbiter)
  */
 static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pass *careful, unsigned from_last)
 {
-    const uint16_t *at = world->swept + world->swept_ends[CAIRN_PATH_NONE], *const end = world->swept + world->swept_ends[CAIRN_PATH_TURN];
+    const uint16_t *at = CAIRN_HAS_WAYS ? world->swept + world->swept_ends[CAIRN_PATH_NONE] : world->order;
+    const uint16_t *const end = CAIRN_HAS_WAYS ? world->swept + world->swept_ends[CAIRN_PATH_TURN] : at + world->arbiter_count;
     cairn_arbiter *const arbiters = world->arbiters;
     while (at != end) {
         cairn_arbiter *arbiter = &arbiters[*at];

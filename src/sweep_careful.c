@@ -106,12 +106,12 @@ static pair_state pair_of(const cairn_world *world, const cairn_arbiter *arbiter
 }
 
 /* Through the centres of both bodies: their spins take no part in it but by friction. */
-static bool is_central(const cairn_arbiter *arbiter) { return (arbiter->path & CAIRN_PATH_TURN) == CAIRN_PATH_CENTRAL; }
+static bool is_central(const cairn_arbiter *arbiter) { return cairn_arbiter_turn(arbiter) == CAIRN_PATH_CENTRAL; }
 
 /* Would a quick way have taken the contact in this pass? With them nothing of the kind comes here. */
 static bool goes_quick(const pair_state *pair, const cairn_arbiter *arbiter, bool with_spins)
 {
-    return !CAIRN_WITH_QUICK_WAYS && (arbiter->path & CAIRN_PATH_TURN) > CAIRN_PATH_SLIDING && cairn_is_calm(pair->a, pair->b, CAIRN_PATH_SHARED, with_spins);
+    return !CAIRN_WITH_QUICK_WAYS && cairn_arbiter_turn(arbiter) > CAIRN_PATH_SLIDING && cairn_is_calm(pair->a, pair->b, CAIRN_PATH_SHARED, with_spins);
 }
 
 static cairn_motion velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb)

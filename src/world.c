@@ -13,8 +13,26 @@ static cairn_diffused gravity_of(const cairn_world *world, cairn_real gravity, c
     return g;
 }
 
-/* Powers of what the sub-step decides: call after any change of rate, sub-steps, gravity or push-out. */
-static void derive(cairn_world *world)
+/*
+ * What derive() finds for the settings that a world has at first: 1/h is 240, and h^2 is the square of h as it is rounded. tests/trimmed/same_bits.c
+ * holds it to that.
+ */
+static cairn_wide derive_first(cairn_world *world)
+{
+    const cairn_wide substep = CAIRN_WIDE_SCALED(128.0 / 240, -7), inverse = CAIRN_WIDE_SCALED(240.0 / 256, 8),
+                            squared = CAIRN_WIDE_SCALED(2443359174.0 / 4294967296, -15);
+    world->substep = substep;
+    world->inverse_substep = inverse;
+    world->rest_limit = CAIRN_MOTION(3277.0 / 65536 / 240); /* CAIRN_REST_SPEED */
+    world->rest_damping = CAIRN_RATIO(1.0 / 60);
+    world->stick = CAIRN_RATIO(1.0 / (STICK_STEPS * 4));
+    world->push_out_limit = CAIRN_MOTION(3.0 / 240);
+    world->speed_limit = CAIRN_MOTION(0.93 / 1.5625);
+    return squared;
+}
+
+/* Powers of what the sub-step decides, of which its square is returned. */
+static cairn_wide derive_any(cairn_world *world)
 {
     cairn_wide per_second = cairn_wide_mul(cairn_wide_from_real(world->rate), cairn_wide_from_int(world->substeps));
     world->inverse_substep = per_second;
@@ -30,7 +48,13 @@ static void derive(cairn_world *world)
     static const cairn_wide most = CAIRN_SWEEP_SPEED_WIDE;
     cairn_wide lean = cairn_wide_of(64 + CAIRN_SOFT_BETA_64THS * world->substeps, -6); /* 1 + beta n */
     world->speed_limit = cairn_wide_to_motion(cairn_wide_div(most, lean));
-    cairn_wide squared = cairn_wide_mul(world->substep, world->substep);
+    return cairn_wide_mul(world->substep, world->substep);
+}
+
+/* Call after any change of rate, sub-steps, gravity or push-out. */
+static void derive(cairn_world *world)
+{
+    cairn_wide squared = CAIRN_WITH_SETTINGS ? derive_any(world) : derive_first(world);
     world->gravity_x = gravity_of(world, world->gravity.x, squared);
     world->gravity_y = gravity_of(world, world->gravity.y, squared);
 }
@@ -85,7 +109,6 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     world->push_out = CAIRN_F(3);
     world->substeps = 4;
     world->passes = 10;
-    derive(world);
     return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
 }
 
@@ -182,6 +205,13 @@ static cairn_status may_set(cairn_world *world, bool in_range)
     return in_range ? CAIRN_OK : cairn_fail(world, CAIRN_ERROR_RANGE);
 }
 
+/* The same for what some builds cannot change, unless it is as it was. */
+static cairn_status may_change(cairn_world *world, bool in_range, bool as_before)
+{
+    cairn_status status = may_set(world, in_range);
+    return status == CAIRN_OK && !CAIRN_WITH_SETTINGS && !as_before ? cairn_fail(world, CAIRN_ERROR_KIND) : status;
+}
+
 cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity)
 {
     cairn_real limit = CAIRN_F(2000);
@@ -198,8 +228,8 @@ cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity)
 
 cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_second)
 {
-    cairn_status status = may_set(world, steps_per_second >= CAIRN_F(10) && steps_per_second <= CAIRN_F(2000));
-    if (status == CAIRN_OK) {
+    cairn_status status = may_change(world, steps_per_second >= CAIRN_F(10) && steps_per_second <= CAIRN_F(2000), steps_per_second == CAIRN_F(60));
+    if (CAIRN_WITH_SETTINGS && status == CAIRN_OK) {
         cairn_wide old = world->substep;
         world->rate = steps_per_second;
         derive(world);
@@ -210,8 +240,8 @@ cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_secon
 
 cairn_status cairn_world_set_substeps(cairn_world *world, int substeps)
 {
-    cairn_status status = may_set(world, substeps >= 1 && substeps <= 16);
-    if (status == CAIRN_OK) {
+    cairn_status status = may_change(world, substeps >= 1 && substeps <= 16, substeps == 4);
+    if (CAIRN_WITH_SETTINGS && status == CAIRN_OK) {
         cairn_wide old = world->substep;
         world->substeps = (uint8_t)substeps;
         derive(world);
@@ -231,8 +261,8 @@ cairn_status cairn_world_set_slop(cairn_world *world, cairn_real slop)
 
 cairn_status cairn_world_set_push_out(cairn_world *world, cairn_real speed)
 {
-    cairn_status status = may_set(world, speed >= 0 && speed <= CAIRN_F(100));
-    if (status == CAIRN_OK) {
+    cairn_status status = may_change(world, speed >= 0 && speed <= CAIRN_F(100), speed == CAIRN_F(3));
+    if (CAIRN_WITH_SETTINGS && status == CAIRN_OK) {
         world->push_out = speed;
         derive(world);
     }

@@ -58,6 +58,7 @@ static inline cairn_real cairn_real_divide(cairn_real a, cairn_real b)
     return b != 0 ? a / b : a > 0 ? CAIRN_REAL_MAX : a < 0 ? -CAIRN_REAL_MAX : 0;
 }
 static inline cairn_real cairn_real_sqrt(cairn_real x) { return x > 0 ? sqrt(x) : 0; }
+static inline bool cairn_real_is_short(cairn_real x, cairn_real y, cairn_real r) { return sqrt(x * x + y * y) <= r; }
 static inline cairn_real cairn_real_length(cairn_real x, cairn_real y) { return sqrt(x * x + y * y); }
 
 static inline cairn_heading cairn_heading_of(cairn_angle a) { return a; }
@@ -85,12 +86,14 @@ static inline cairn_wide cairn_wide_add(cairn_wide a, cairn_wide b) { return a +
 static inline cairn_wide cairn_wide_sqrt(cairn_wide a) { return sqrt(a); }
 #define CAIRN_DENSITY(x) (x)
 #define CAIRN_WIDE_PART(x) (x)
+#define CAIRN_WIDE_SCALED(x, exponent) ((x) * ((exponent) < 0 ? 1.0 / (1 << -(exponent)) : (double)(1 << (exponent))))
 #define CAIRN_WIDE_PI CAIRN_PI
 static inline cairn_wide cairn_wide_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d) { return fabs(a * d - b * c); }
 static inline cairn_packed cairn_wide_pack(cairn_wide k) { return k; }
 static inline cairn_wide cairn_wide_unpack(cairn_packed p) { return p; }
 static inline cairn_wide cairn_wide_zero(void) { return 0; }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a == 0; }
+static inline bool cairn_wide_is(cairn_wide a, cairn_wide b) { return a == b; }
 static inline bool cairn_wide_less(cairn_wide a, cairn_wide b) { return a < b; }
 static inline cairn_wide cairn_wide_from_real(cairn_real x) { return fabs(x); }
 static inline cairn_wide cairn_wide_from_offset(cairn_offset x) { return fabs(x); }

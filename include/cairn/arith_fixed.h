@@ -199,6 +199,12 @@ static inline bool cairn_real_is_longer(cairn_real x, cairn_real y, cairn_real r
     return dx * dx + dy * dy > limit * limit;
 }
 
+/* Is the length of (x, y), rounded as below, at most r? All at least 0. */
+static inline bool cairn_real_is_short(cairn_real x, cairn_real y, cairn_real r)
+{
+    uint32_t a = (uint32_t)x, b = (uint32_t)y, most = (uint32_t)r; /* up to r and a half: r^2 + r */
+    return cairn_product(a, a) + cairn_product(b, b) <= cairn_product(most, most + 1u);
+}
 /* a / b rounded to nearest, halves away from zero; saturates, also for b = 0 (with the sign of a; 0 / 0 is 0). */
 cairn_real cairn_real_divide(cairn_real a, cairn_real b);
 /* Square root rounded to nearest; 0 for negative x. */
@@ -279,12 +285,15 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_sum(cairn_offset a, cairn_offset 
 /* x * k * 2^exponent, rounded to nearest, halves away from zero; saturated to +-INT32_MAX. */
 CAIRN_ALWAYS_INLINE int32_t cairn_wide_scale(int32_t x, cairn_wide k, int exponent) { return cairn_word_scale(cairn_wide_to_word(k), x, exponent); }
 /* A constant initialiser of 1/2 to less than 1. */
-#define CAIRN_WIDE_PART(x) { (uint32_t)CAIRN_ROUND(x, 4294967296.0), -32 }
+#define CAIRN_WIDE_PART(x) CAIRN_WIDE_SCALED(x, 0)
+/* The same times 2^exponent. */
+#define CAIRN_WIDE_SCALED(x, exponent) { (uint32_t)CAIRN_ROUND(x, 4294967296.0), (exponent) - 32 }
 /* A constant initialiser of 0 to 65535 for what is only multiplied: in steps of 2^-16, its top bit need not be set. */
 #define CAIRN_DENSITY(x) { (uint32_t)CAIRN_ROUND(x, 65536.0), -16 }
 #define CAIRN_WIDE_PI (cairn_wide_of(1686629713, -29))
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_zero(void) { return cairn_wide_from_word(0); }
 static inline bool cairn_wide_is_zero(cairn_wide a) { return a.mantissa == 0; }
+static inline bool cairn_wide_is(cairn_wide a, cairn_wide b) { return a.mantissa == b.mantissa && a.exponent == b.exponent; }
 bool cairn_wide_less(cairn_wide a, cairn_wide b);
 /* As a body keeps it: within 2^-25 of itself, for exponents of -128 to 127. */
 static inline cairn_packed cairn_wide_pack(cairn_wide k)

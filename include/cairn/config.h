@@ -49,6 +49,9 @@
 #ifndef CAIRN_WITH_DAMPING
 #define CAIRN_WITH_DAMPING 1
 #endif
+#ifndef CAIRN_WITH_GRAVITY_SCALE
+#define CAIRN_WITH_GRAVITY_SCALE 1 /* bodies that fall otherwise than others */
+#endif
 #ifndef CAIRN_WITH_POLYGONS
 #define CAIRN_WITH_POLYGONS 1
 #endif
@@ -64,6 +67,20 @@
  */
 #ifndef CAIRN_WITH_SLOPES
 #define CAIRN_WITH_SLOPES 1
+#endif
+#ifndef CAIRN_WITH_MASSES
+#define CAIRN_WITH_MASSES 1 /* without, all that is dynamic is of one shape and one density */
+#endif
+#ifndef CAIRN_WITH_SETTINGS
+#define CAIRN_WITH_SETTINGS 1 /* without, the rate, the sub-steps and the push-out stay what they are at first */
+#endif
+/* Circles of more than 15 m of radius. Without them the lengths of springs beyond 32 m are off by up to 1.2 um as well. */
+#ifndef CAIRN_WITH_GIANTS
+#define CAIRN_WITH_GIANTS 1
+#endif
+/* Bodies kept sorted, to find pairs. Without, each is held against each: to the same bits, and for 16 bodies as quickly, but for 100 not. */
+#ifndef CAIRN_WITH_SORT
+#define CAIRN_WITH_SORT 1
 #endif
 /*
  * Ways of their own through the solver's passes for most kinds of contacts. They only save time, at the price of flash: without them the bits are
@@ -102,7 +119,9 @@
     || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD) || !CAIRN_IS_FLAG(CAIRN_WITH_POLYGONS) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_FRICTION) || !CAIRN_IS_FLAG(CAIRN_WITH_TURNING) || !CAIRN_IS_FLAG(CAIRN_WITH_SLOPES)
+    || !CAIRN_IS_FLAG(CAIRN_WITH_FRICTION) || !CAIRN_IS_FLAG(CAIRN_WITH_TURNING) || !CAIRN_IS_FLAG(CAIRN_WITH_SLOPES) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_MASSES) || !CAIRN_IS_FLAG(CAIRN_WITH_SETTINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_GIANTS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SORT) || !CAIRN_IS_FLAG(CAIRN_WITH_GRAVITY_SCALE)
 #error "each CAIRN_WITH_... must be 0 or 1"
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2

@@ -23,6 +23,7 @@ struct cairn_shape;
  * the largest stays within the reach of an offset (512 m), so that the far corners of two bodies that touch do too.
  */
 #define CAIRN_SHAPE_RADIUS_MAX CAIRN_F(125)
+#define CAIRN_CIRCLE_RADIUS_MAX (CAIRN_WITH_GIANTS ? CAIRN_SHAPE_RADIUS_MAX : CAIRN_F(15))
 #define CAIRN_SHAPE_RADIUS_MIN CAIRN_F(0.001)
 
 typedef struct cairn_offset2 {
@@ -45,9 +46,6 @@ typedef struct cairn_mass_data {
 typedef struct cairn_shape_class {
     uint8_t rank;
     cairn_status (*check)(const struct cairn_shape *shape);
-    /* Area and radius of gyration. */
-    cairn_wide_word (*area)(const struct cairn_shape *shape);
-    cairn_wide_word (*gyration)(const struct cairn_shape *shape);
     /* Radius of a disc about the centre of mass that the shape covers. */
     cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */

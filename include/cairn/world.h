@@ -147,7 +147,7 @@ typedef struct cairn_world_storage {
     static cairn_world name##_world; \
     static cairn_body name##_bodies[body_count]; \
     static cairn_arbiter name##_arbiters[arbiter_count]; \
-    static uint16_t name##_order[arbiter_count], name##_swept[arbiter_count], name##_sorted[body_count]; \
+    static uint16_t name##_order[arbiter_count], name##_swept[arbiter_count], name##_sorted[CAIRN_WITH_SORT ? (body_count) : 1]; \
     static const cairn_world_storage name = { &name##_world, name##_bodies, name##_arbiters, name##_order, name##_swept, \
                                               name##_sorted, (body_count), (arbiter_count) }
 

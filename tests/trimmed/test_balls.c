@@ -66,6 +66,67 @@ void test_polygons_are_refused(void)
     refuses(&model, 0);
 }
 
+void test_what_falls_otherwise_is_refused(void)
+{
+    model.gravity_scale = CAIRN_F(0.5);
+    refuses(&model, 0);
+}
+
+void test_a_giant_is_refused(void)
+{
+    static const cairn_shape giant = CAIRN_CIRCLE(CAIRN_F(15) + 1), large = CAIRN_CIRCLE(CAIRN_F(15));
+    model = sliding(&giant);
+    ASSERT_REFUSED_ID(CAIRN_ERROR_SHAPE, cairn_body_create(world, &model, at(0, CAIRN_F(40)), 0));
+    model = sliding(&large);
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &model, at(0, CAIRN_F(40)), 0)));
+}
+
+void test_what_moves_is_of_one_shape_and_one_density(void)
+{
+    static const cairn_shape smaller = CAIRN_CIRCLE(CAIRN_F(0.4));
+    static cairn_body_model other, denser;
+    static const cairn_wide two = CAIRN_DENSITY(2);
+    other = sliding(&smaller);
+    denser = model;
+    denser.density = two;
+    cairn_body_id id = cairn_body_create(world, &model, at(0, CAIRN_F(3)), 0);
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &model, at(0, CAIRN_F(5)), 0)));
+    refuses(&other, 0);
+    refuses(&denser, 0);
+    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_body_set_model(world, id, &denser));
+    other.type = CAIRN_STATIC;
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &other, at(0, CAIRN_F(9)), 0)));
+    denser.density = cairn_wide_zero();
+    ASSERT_REFUSED_ID(CAIRN_ERROR_RANGE, cairn_body_create(world, &denser, at(0, CAIRN_F(7)), 0));
+}
+
+void test_when_all_are_gone_others_may_come(void)
+{
+    static const cairn_shape smaller = CAIRN_CIRCLE(CAIRN_F(0.4));
+    static cairn_body_model other;
+    other = sliding(&smaller);
+    ASSERT_OK(cairn_body_destroy(world, cairn_body_create(world, &model, at(0, CAIRN_F(3)), 0)));
+    TEST_ASSERT_FALSE(cairn_body_id_is_null(cairn_body_create(world, &other, at(0, CAIRN_F(3)), 0)));
+}
+
+void test_settings_stay_what_they_are(void)
+{
+    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_world_set_rate(world, CAIRN_F(50)));
+    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_world_set_substeps(world, 8));
+    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_world_set_push_out(world, CAIRN_F(1)));
+    ASSERT_REFUSED(CAIRN_ERROR_RANGE, cairn_world_set_rate(world, 0));
+    ASSERT_OK(cairn_world_set_rate(world, CAIRN_F(60)));
+    ASSERT_OK(cairn_world_set_substeps(world, 4));
+    ASSERT_OK(cairn_world_set_push_out(world, CAIRN_F(3)));
+}
+
+void test_forces_know_the_mass(void)
+{
+    cairn_body_id id = cairn_body_create(world, &model, at(0, CAIRN_F(5)), 0);
+    ASSERT_OK(cairn_body_apply_impulse(world, id, at(CAIRN_F(0.7854), 0))); /* of pi / 4 kg */
+    ASSERT_NEAR(0.0005, 1, cairn_body_velocity(world, id).x);
+}
+
 void test_a_ball_slides_on_without_turning(void)
 {
     cairn_body_id id = cairn_body_create(world, &model, at(CAIRN_F(-4), CAIRN_F(0.5)), 0);

@@ -58,7 +58,7 @@ class Feature:
 
 
 FEATURES = {
-    "POLYGONS": Feature("polygons", ("shape_polygon", "collide_polygon", "polygon_init")),
+    "POLYGONS": Feature("polygons", ("shape_polygon", "collide_circle_polygon", "collide_polygon", "polygon_init")),
     "HULLS": Feature("polygons from points", (), ("cairn_polygon_init", "cairn_polygon_init_hull")),
     "RESTITUTION": Feature("restitution", ("bounce", "bounce_meet", "bounce_strike")),
     "CONTINUOUS": Feature("continuous collision", ("continuous", "driven", "landing")),
@@ -79,20 +79,21 @@ FEATURES = {
     "SLIDES": Feature("the slides' solver instead", ("solver_slides",)),
     # Of the games that all others build on:
     "BALLS": Feature("balls", ("shape_circle",)),
-    "WALLS": Feature("walls", ("collide_circle_polygon", "shape_box", "collide_box")),
+    "WALLS": Feature("walls", ("collide_circle_box", "shape_box", "collide_box")),
     "BOXES": Feature("boxes"),
 }  # fmt: skip
 # What the step is made of, and what any game may call; the soft solver is the others' instead.
 CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "hold", "idle", "material", "meet",
-              "motion", "rows", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick", "world")  # fmt: skip
+              "motion", "rows", "shape_measure", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick",
+              "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
 BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
 # The smallest of what these games can be told to take: whatever config.h can leave out.
 LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
     "SPRINGS", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING",
-    "SHORTCUTS", "HOLD"))  # fmt: skip
+    "SHORTCUTS", "HOLD", "SETTINGS", "SORT", "GRAVITY_SCALE"))  # fmt: skip
 LEAN_BALLS = (*LEAN, "CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1", "CAIRN_WITH_POLYGONS=0")
-LEAST = (*LEAN_BALLS, *(f"CAIRN_WITH_{name}=0" for name in ("FRICTION", "TURNING", "SLOPES")))
+LEAST = (*LEAN_BALLS, *(f"CAIRN_WITH_{name}=0" for name in ("FRICTION", "TURNING", "SLOPES", "MASSES", "GIANTS")))
 EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
 SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),

@@ -22,9 +22,13 @@ CORE = "m0"
 FLAGS = "-Os -g -flto"
 PROJECT = engine.ROOT / "tools" / "trim"
 FEATURES = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION",
-            "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES")  # fmt: skip
+            "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES", "MASSES", "SETTINGS", "GIANTS", "SORT",
+            "GRAVITY_SCALE")  # fmt: skip
 UNEVEN = 30  # bodies of more than so many times one another's mass get memory for blocks, as in tools/runner/storage.h
 FAST = 0.25  # of its smallest half size in a step: then continuous.c watches a body
+FIRST_SETTINGS = (60, 4)  # of a world: steps a second, sub-steps
+LARGE = 15  # metres of radius: a giant has more
+FEW = 16  # bodies that are held each against each as quickly as sorted
 REFERENCE_SUBSTEPS = 16
 LARGEST_POOL = 65000
 BYTES_OF_ID = 4
@@ -242,10 +246,19 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
         "POLYGONS": lambda: any(s.kind not in ("circle", "box") for s in scene.shapes.values()) and "polygons",
         "FRICTION": lambda: any(scene.material(b.material).static_friction > 0 for b in scene.bodies) and "friction",
         "TURNING": lambda: any(_turns(body) for body in scene.bodies) and "bodies that turn",
+        "MASSES": lambda: len(_kinds(scene)) > 1 and "other masses",
+        "SETTINGS": lambda: (scene.steps_per_second, scene.substeps) != FIRST_SETTINGS and "a rate of its own",
+        "GIANTS": lambda: any(s.kind == "circle" and s.radius > LARGE for s in scene.shapes.values()) and "giants",
+        "SORT": lambda: len(scene.bodies) > FEW and f"{len(scene.bodies)} bodies",
+        "GRAVITY_SCALE": lambda: "",  # scene files have none
         "SLOPES": lambda: any(_leans(scene, body) for body in scene.bodies) and "what stands at an angle, or turns",
     }
     reason = found[name]()
     return f"{scene.name}: {reason}" if reason else ""
+
+
+def _kinds(scene: Scene) -> set[tuple[str, float]]:
+    return {(body.shape, body.density) for body in scene.bodies if body.type == "dynamic"}
 
 
 def _turns(body: Body) -> bool:

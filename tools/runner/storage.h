@@ -15,8 +15,9 @@ static inline bool runner_is_uneven(const cairn_scene *scene)
     cairn_wide least = cairn_wide_zero(), most = least;
     for (int i = 0; i < scene->body_count; i++) {
         const cairn_body_model *model = &scene->models[scene->bodies[i].model];
-        const cairn_wide mass = cairn_wide_mul(cairn_wide_from_word(model->shape->kind->area(model->shape)), model->density);
-        if (model->type == CAIRN_DYNAMIC) {
+        cairn_mass_data data;
+        if (model->type == CAIRN_DYNAMIC && cairn_shape_measure(model->shape, &data) == CAIRN_OK) {
+            const cairn_wide mass = cairn_wide_mul(data.area, model->density);
             least = cairn_wide_is_zero(least) || cairn_wide_less(mass, least) ? mass : least;
             most = cairn_wide_less(most, mass) ? mass : most;
         }
