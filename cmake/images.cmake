@@ -1,6 +1,7 @@
 # Programs on a port: cairn_add_image(NAME [BOARD board] SOURCES file... [LIBRARIES target...]).
 # On the host the board is "host" and the image an ordinary program. In a cross build the board is one of the core's,
 # ${CAIRN_BOARD} by default; run the image by `tools/qemu-run BOARD IMAGE.elf`.
+# A game of another project includes this file after Cairn itself: include("${cairn_SOURCE_DIR}/cmake/images.cmake")
 
 include("${CMAKE_CURRENT_LIST_DIR}/boards.cmake")
 
@@ -10,9 +11,11 @@ else()
     set(CAIRN_BOARD "${CAIRN_CORE_BOARD}" CACHE STRING "The board that images are linked for")
 endif()
 
-add_library(cairn_print STATIC "${CAIRN_PORTS_DIR}/common/print.c")
-target_include_directories(cairn_print PUBLIC "${CAIRN_PORTS_DIR}/include")
-target_link_libraries(cairn_print PRIVATE cairn_warnings)
+if(NOT TARGET cairn_print)
+    add_library(cairn_print STATIC "${CAIRN_PORTS_DIR}/common/print.c")
+    target_include_directories(cairn_print PUBLIC "${CAIRN_PORTS_DIR}/include")
+    target_link_libraries(cairn_print PRIVATE cairn_warnings)
+endif()
 
 option(CAIRN_WINDOW "The host's images in a window of SDL2, with keys; without it they have no display and no buttons" OFF)
 

@@ -1,6 +1,10 @@
 # Unity tests and CMock mocks. On the host a test is a program, in a cross build an image that ctest runs in QEMU.
 #   cairn_add_unit_test(NAME SOURCE [SOURCES file...] [LIBRARIES target...] [HOST_ONLY])
 #   cairn_add_mocks(TARGET CONFIG file PREFIX prefix HEADERS file...)
+# A game of another project includes this file after Cairn itself, which gives it cairn::mock and these functions:
+#   include("${cairn_SOURCE_DIR}/cmake/testing.cmake")
+
+include("${CMAKE_CURRENT_LIST_DIR}/images.cmake")
 
 find_program(CAIRN_RUBY ruby REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -13,18 +17,20 @@ set(CAIRN_TEST_SUPPORT_DIR "${CMAKE_CURRENT_LIST_DIR}/../tests/support")
 set(CAIRN_TEST_SECONDS 300 CACHE STRING "After how many seconds a test has failed")
 
 # Unity and CMock are others' code: their headers are system headers, their sources compile without our warnings.
-add_library(cairn_unity STATIC "${CAIRN_UNITY_DIR}/src/unity.c")
-target_include_directories(cairn_unity SYSTEM PUBLIC "${CAIRN_UNITY_DIR}/src")
-target_compile_definitions(cairn_unity PUBLIC UNITY_INCLUDE_DOUBLE UNITY_SUPPORT_64)
-add_library(cairn_cmock STATIC "${CAIRN_CMOCK_ROOT}/src/cmock.c")
-target_include_directories(cairn_cmock SYSTEM PUBLIC "${CAIRN_CMOCK_ROOT}/src")
-target_link_libraries(cairn_cmock PUBLIC cairn_unity)
-if(CMAKE_CROSSCOMPILING)
-    target_sources(cairn_unity PRIVATE "${CAIRN_TEST_SUPPORT_DIR}/unity_console.c")
-    target_include_directories(cairn_unity PUBLIC "${CAIRN_TEST_SUPPORT_DIR}" PRIVATE "${CAIRN_PORTS_DIR}/cortex-m")
-    target_compile_definitions(cairn_unity PUBLIC UNITY_INCLUDE_CONFIG_H)
-    # No heap on a board.
-    target_compile_definitions(cairn_cmock PUBLIC CMOCK_MEM_STATIC CMOCK_MEM_SIZE=16384)
+if(NOT TARGET cairn_unity)
+    add_library(cairn_unity STATIC "${CAIRN_UNITY_DIR}/src/unity.c")
+    target_include_directories(cairn_unity SYSTEM PUBLIC "${CAIRN_UNITY_DIR}/src")
+    target_compile_definitions(cairn_unity PUBLIC UNITY_INCLUDE_DOUBLE UNITY_SUPPORT_64)
+    add_library(cairn_cmock STATIC "${CAIRN_CMOCK_ROOT}/src/cmock.c")
+    target_include_directories(cairn_cmock SYSTEM PUBLIC "${CAIRN_CMOCK_ROOT}/src")
+    target_link_libraries(cairn_cmock PUBLIC cairn_unity)
+    if(CMAKE_CROSSCOMPILING)
+        target_sources(cairn_unity PRIVATE "${CAIRN_TEST_SUPPORT_DIR}/unity_console.c")
+        target_include_directories(cairn_unity PUBLIC "${CAIRN_TEST_SUPPORT_DIR}" PRIVATE "${CAIRN_PORTS_DIR}/cortex-m")
+        target_compile_definitions(cairn_unity PUBLIC UNITY_INCLUDE_CONFIG_H)
+        # No heap on a board.
+        target_compile_definitions(cairn_cmock PUBLIC CMOCK_MEM_STATIC CMOCK_MEM_SIZE=16384)
+    endif()
 endif()
 
 function(cairn_add_unit_test name source)
@@ -70,3 +76,7 @@ function(cairn_add_mocks target)
     target_include_directories(${target} PUBLIC "${directory}")
     target_link_libraries(${target} PUBLIC cairn_cmock)
 endfunction()
+
+if(NOT TARGET cairn_mock)
+    add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/../tests/mock" "${CMAKE_CURRENT_BINARY_DIR}/mock")
+endif()

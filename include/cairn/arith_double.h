@@ -8,6 +8,10 @@
 
 #include <math.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef double cairn_real;
 typedef double cairn_angle; /* radians, unbounded */
 typedef double cairn_motion;
@@ -396,5 +400,9 @@ static inline cairn_ratio cairn_factor_inverse(cairn_factor f) { return f > 0.5 
 static inline cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b) { return a > 0 && b > 0 ? sqrt(a * b) : 0; }
 
 static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -12,6 +12,10 @@
 #include CAIRN_ARITH_PORT
 #endif
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef int32_t cairn_real;
 typedef int32_t cairn_angle;
 typedef int32_t cairn_motion;
@@ -811,5 +815,9 @@ cairn_ratio cairn_factor_inverse(cairn_factor f);
 /* sqrt(a b), both non-negative, rounded to nearest. */
 cairn_real cairn_real_geometric_mean(cairn_real a, cairn_real b);
 static inline cairn_factor cairn_factor_geometric_mean(cairn_factor a, cairn_factor b) { return cairn_real_geometric_mean(a, b); }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
