@@ -14,6 +14,9 @@
 
 #define LEAF_LENGTH 8 /* a leaf of so many bodies is not worth a split: the quickest of 4 to 14 on a Cortex-M0 but for a few per cent */
 
+/* Are the pairs of boxes that overlap kept? It only saves time, and a third of this file is for it. */
+#define KEEPS_PAIRS (!CAIRN_SMALL)
+
 /* The centre of the box in which the tree has a body: the same for as long as it is in it. */
 static inline cairn_real center_x(const cairn_world *world, uint16_t body) { return cairn_spot_real(world->tree->boxes[body].x, world->bodies[body].x); }
 static inline cairn_real center_y(const cairn_world *world, uint16_t body) { return cairn_spot_real(world->tree->boxes[body].y, world->bodies[body].y); }
@@ -95,56 +98,26 @@ static unsigned quadrants_of(const cairn_world *world, uint16_t body, cairn_real
     return columns & rows;
 }
 
-/* By quadrants: how many there are, and the one there is, or STRADDLING. */
-enum { STRADDLING = 4 };
+/* By quadrants: how many there are. */
 static const uint8_t quadrant_count[16] = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
-static const uint8_t quadrant_home[16] = { 4, 0, 1, 4, 2, 4, 4, 4, 3, 4, 4, 4, 4, 4, 4, 4 };
 
-/* A cell's bodies by quadrant; those that lie in several are in the last list. */
-typedef struct sorting {
-    cairn_quadtree_cell list[STRADDLING + 1];
+/* What a split of a cell would take, and tell apart. */
+typedef struct prospect {
     uint32_t needed; /* entries, if the cell is split */
     uint32_t small;  /* bodies at most half as wide as a quadrant: those that a split tells apart */
-} sorting;
+} prospect;
 
-static void sort(const cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_place *place, sorting *s)
+static prospect prospect_of(const cairn_world *world, const cairn_quadtree *tree, const cairn_quadtree_place *place)
 {
     cairn_real half = cairn_real_half(place->size), eighth = cairn_real_half(cairn_real_half(half));
-    cairn_real x = place->x + half, y = place->y + half;
-    uint16_t entry = tree->cells[place->cell].first;
-    s->needed = s->small = 0;
-    for (int i = 0; i <= STRADDLING; i++) {
-        empty(&s->list[i]);
-    }
-    while (entry != CAIRN_NONE) {
-        uint16_t next = tree->entries[entry].next;
+    prospect p = { 0, 0 };
+    for (uint16_t entry = tree->cells[place->cell].first; entry != CAIRN_NONE; entry = tree->entries[entry].next) {
         uint16_t body = tree->entries[entry].body;
         const cairn_quadtree_box *box = &tree->boxes[body];
-        unsigned quadrants = quadrants_of(world, body, x, y);
-        push(tree, &s->list[quadrant_home[quadrants]], entry);
-        s->needed += quadrant_count[quadrants];
-        s->small += cairn_real_from_extent(box->extent_x) <= eighth && cairn_real_from_extent(box->extent_y) <= eighth ? 1u : 0u;
-        entry = next;
+        p.needed += quadrant_count[quadrants_of(world, body, place->x + half, place->y + half)];
+        p.small += cairn_real_from_extent(box->extent_x) <= eighth && cairn_real_from_extent(box->extent_y) <= eighth ? 1u : 0u;
     }
-}
-
-/* Move a list into a cell. */
-static void move(cairn_quadtree *tree, uint16_t entry, cairn_quadtree_cell *cell)
-{
-    while (entry != CAIRN_NONE) {
-        uint16_t next = tree->entries[entry].next;
-        push(tree, cell, entry);
-        entry = next;
-    }
-}
-
-/* The cell stays a leaf. */
-static void join(cairn_quadtree *tree, cairn_quadtree_cell *cell, const sorting *s)
-{
-    empty(cell);
-    for (int i = 0; i <= STRADDLING; i++) {
-        move(tree, s->list[i].first, cell);
-    }
+    return p;
 }
 
 /* A body that lies in several quadrants takes an entry in each. */
@@ -161,20 +134,18 @@ static void spread(cairn_quadtree *tree, cairn_quadtree_cell *children, unsigned
 }
 
 /* The cell gets four children; the entries they need are there. */
-static void split(const cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_place *place, const sorting *s)
+static void split(const cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_place *place)
 {
-    cairn_quadtree_cell *children = &tree->cells[tree->cell_end];
+    cairn_quadtree_cell *cell = &tree->cells[place->cell], *children = &tree->cells[tree->cell_end];
     cairn_real half = cairn_real_half(place->size);
-    uint16_t entry = s->list[STRADDLING].first;
     for (int i = 0; i < 4; i++) {
-        children[i] = s->list[i];
+        empty(&children[i]);
     }
-    while (entry != CAIRN_NONE) {
-        uint16_t next = tree->entries[entry].next;
+    for (uint16_t entry = cell->first, next; entry != CAIRN_NONE; entry = next) {
+        next = tree->entries[entry].next;
         spread(tree, children, quadrants_of(world, tree->entries[entry].body, place->x + half, place->y + half), entry);
-        entry = next;
     }
-    tree->cells[place->cell].child = tree->cell_end;
+    cell->child = tree->cell_end;
     tree->cell_end = (uint16_t)(tree->cell_end + 4);
 }
 
@@ -185,19 +156,16 @@ static void split(const cairn_world *world, cairn_quadtree *tree, const cairn_qu
 CAIRN_APART void refine(cairn_world *world, cairn_quadtree *tree, const cairn_quadtree_walk *walk)
 {
     const cairn_quadtree_place *place = &walk->place;
-    cairn_quadtree_cell *cell = &tree->cells[place->cell];
-    uint32_t count = cell->count;
-    sorting s;
+    uint32_t count = tree->cells[place->cell].count;
     if (count <= tree->leaf_length || walk->depth >= tree->depth) {
         return;
     }
-    sort(world, tree, place, &s);
-    bool helps = s.small > tree->leaf_length && s.needed <= 2 * count;
-    bool fits = (uint32_t)tree->cell_end + 4 <= tree->cell_capacity && tree->entry_end + s.needed - count <= tree->entry_capacity;
+    prospect p = prospect_of(world, tree, place);
+    bool helps = p.small > tree->leaf_length && p.needed <= 2 * count;
+    bool fits = (uint32_t)tree->cell_end + 4 <= tree->cell_capacity && tree->entry_end + p.needed - count <= tree->entry_capacity;
     if (helps && fits) {
-        split(world, tree, place, &s);
+        split(world, tree, place);
     } else {
-        join(tree, cell, &s);
         world->stats.tree_full = (uint16_t)(world->stats.tree_full + (helps ? 1 : 0));
     }
 }
@@ -255,7 +223,22 @@ CAIRN_APART void keep_pairs(const cairn_world *world, const cairn_quadtree_place
     }
 }
 
-/* Split what is to be split, then keep the pairs if there is room for all of them. */
+/* The pairs of all leaves, if there is room for them. */
+static void keep_all_pairs(cairn_world *world)
+{
+    cairn_quadtree *tree = world->tree;
+    cairn_quadtree_walk walk;
+    tree->knows_pairs = true;
+    cairn_quadtree_walk_start(tree, &walk);
+    do {
+        if (tree->cells[walk.place.cell].child == 0) {
+            keep_pairs(world, &walk.place);
+        }
+    } while (tree->knows_pairs && cairn_quadtree_walk_next(tree, &walk));
+    world->stats.tree_full = (uint16_t)(world->stats.tree_full + (tree->knows_pairs ? 0 : 1));
+}
+
+/* Split what is to be split, then look for the pairs. */
 CAIRN_APART void rebuild(cairn_world *world)
 {
     cairn_quadtree *tree = world->tree;
@@ -271,14 +254,9 @@ CAIRN_APART void rebuild(cairn_world *world)
     } while (cairn_quadtree_walk_next(tree, &walk));
     world->stats.tree_cells = tree->cell_end;
     world->stats.tree_entries = tree->pair_end = tree->entry_end;
-    tree->knows_pairs = true;
-    cairn_quadtree_walk_start(tree, &walk);
-    do {
-        if (tree->cells[walk.place.cell].child == 0) {
-            keep_pairs(world, &walk.place);
-        }
-    } while (tree->knows_pairs && cairn_quadtree_walk_next(tree, &walk));
-    world->stats.tree_full = (uint16_t)(world->stats.tree_full + (tree->knows_pairs ? 0 : 1));
+    if (KEEPS_PAIRS) {
+        keep_all_pairs(world);
+    }
 }
 
 static inline bool may_pair(const cairn_world *world, uint16_t a, uint16_t b)
@@ -328,7 +306,7 @@ static void find_pairs(cairn_world *world)
         rebuild(world);
         world->placed = false;
     }
-    if (world->tree->knows_pairs) {
+    if (KEEPS_PAIRS && world->tree->knows_pairs) {
         look_at_kept(world);
     } else {
         look_through_leaves(world);
