@@ -39,7 +39,7 @@ static phase phase_of(const cairn_world *world, int substep)
 /* What closes slower does not rebound: the threshold, or what gravity gives in a step: piles whose every touch is an impact never settle, and sink. */
 static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real threshold)
 {
-    if (threshold != p->threshold) { /* few games have more than one */
+    if (!CAIRN_WITH_QUICK_WAYS || threshold != p->threshold) { /* few games have more than one */
         cairn_motion rest = cairn_motion_from_real(threshold, world->substep);
         p->threshold = threshold;
         p->rest = rest > p->gravity ? rest : p->gravity;
@@ -167,7 +167,7 @@ static void impact_phase(cairn_world *world, int substep)
 {
     phase p = phase_of(world, substep);
     const cairn_motion calm = p.calm;
-    bool any = !is_all_calm(world, calm);
+    bool any = !CAIRN_WITH_QUICK_WAYS || !is_all_calm(world, calm);
     if (any) {
         world->in_flight = false;
     }

@@ -263,6 +263,18 @@ static cairn_offset round_of(const cairn_body *a, const cairn_body *b)
     return cairn_offset_from_real(ra > rb ? ra : rb);
 }
 
+/* Is it known of a contact that a look along the way (x, y) finds no other one? */
+static bool is_settled(const cairn_body *a, const cairn_body *b, cairn_offset x, cairn_offset y, const cairn_manifold *contact)
+{
+    cairn_offset way = magnitude(x) + magnitude(y);
+    if (way < contact->steady) {
+        return true;
+    }
+    cairn_unit nx = contact->normal_x, ny = contact->normal_y;
+    cairn_offset closing = -cairn_offset_dot(x, y, nx, ny), across = magnitude(cairn_offset_dot(y, -x, nx, ny));
+    return is_broad(contact, closing, across) || is_round(round_of(a, b) + contact->separation, way, closing, across);
+}
+
 /* The contact of two slower bodies: not with a corner that one of them slides past. */
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
@@ -276,12 +288,7 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
         x *= 2;
         y *= 2;
     }
-    cairn_offset way = magnitude(x) + magnitude(y);
-    if (way < out->steady) {
-        return;
-    }
-    cairn_offset closing = -cairn_offset_dot(x, y, out->normal_x, out->normal_y), across = magnitude(cairn_offset_dot(y, -x, out->normal_x, out->normal_y));
-    if (is_broad(out, closing, across) || is_round(round_of(a, b) + out->separation, way, closing, across)) {
+    if (CAIRN_WITH_QUICK_WAYS && is_settled(a, b, x, y, out)) {
         return;
     }
     cairn_pose pa = cairn_body_pose(a, 0, 0), pb = cairn_body_pose(b, out->x, out->y);

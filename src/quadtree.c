@@ -3,8 +3,8 @@
  * Coordinates are cairn_real; only comparisons, additions and halvings are needed.
  *
  * Bodies lie in the tree by boxes that are wider than they need at the time, and it serves until one of them leaves its own. Which of these boxes
- * overlap is known as long: those pairs lie behind the entries, so that a step looks at them alone and enters no cell. Where they do not fit all bodies of
- * a leaf are held against one another in each step.
+ * overlap is known as long: those pairs lie behind the entries, so that a step looks at them alone and enters no cell. Where they do not fit, and in
+ * builds without quick ways, all bodies of a leaf are held against one another in each step.
  *
  * Cells at the border reach to infinity, since a body's place is decided by the centre lines alone: bodies outside of
  * the bounds need no care. A pair that meets in several leaves is kept in the one that holds the lower left corner
@@ -13,9 +13,6 @@
 #include "quadtree_walk.h"
 
 #define LEAF_LENGTH 8 /* a leaf of so many bodies is not worth a split: the quickest of 4 to 14 on a Cortex-M0 but for a few per cent */
-
-/* Are the pairs of boxes that overlap kept? It only saves time, and a third of this file is for it. */
-#define KEEPS_PAIRS (!CAIRN_SMALL)
 
 /* The centre of the box in which the tree has a body: the same for as long as it is in it. */
 static inline cairn_real center_x(const cairn_world *world, uint16_t body) { return cairn_spot_real(world->tree->boxes[body].x, world->bodies[body].x); }
@@ -254,7 +251,7 @@ CAIRN_APART void rebuild(cairn_world *world)
     } while (cairn_quadtree_walk_next(tree, &walk));
     world->stats.tree_cells = tree->cell_end;
     world->stats.tree_entries = tree->pair_end = tree->entry_end;
-    if (KEEPS_PAIRS) {
+    if (CAIRN_WITH_QUICK_WAYS) {
         keep_all_pairs(world);
     }
 }
@@ -306,7 +303,7 @@ static void find_pairs(cairn_world *world)
         rebuild(world);
         world->placed = false;
     }
-    if (KEEPS_PAIRS && world->tree->knows_pairs) {
+    if (CAIRN_WITH_QUICK_WAYS && world->tree->knows_pairs) {
         look_at_kept(world);
     } else {
         look_through_leaves(world);

@@ -56,7 +56,7 @@ static void sort(cairn_world *world)
         cairn_spring *spring = &pool->springs[i];
         if (cairn_spring_is_used(spring)) {
             spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_PLAIN) | cairn_flag_if(is_plain(world, spring), CAIRN_SPRING_PLAIN));
-            if (last == NULL || !cairn_spring_map_as(world, spring, last)) {
+            if (!CAIRN_WITH_QUICK_WAYS || last == NULL || !cairn_spring_map_as(world, spring, last)) {
                 cairn_spring_map(world, spring);
             }
             last = spring;

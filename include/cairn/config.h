@@ -83,8 +83,9 @@
 #define CAIRN_WITH_SORT 1
 #endif
 /*
- * Ways of their own through the solver's passes for most kinds of contacts. They only save time, at the price of flash: without them the bits are
- * the same. A build for size has none.
+ * Ways of their own through the solver's passes for most kinds of contacts, and what else only saves time, at the price of flash: pairs that the
+ * quadtree keeps from step to step, springs that take over the coefficients of the one before. Without them the bits are the same. A build for
+ * size has none.
  */
 #ifndef CAIRN_WITH_QUICK_WAYS
 #ifdef __OPTIMIZE_SIZE__
