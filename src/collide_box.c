@@ -3,17 +3,11 @@
  * collide_polygon.c, with half sizes instead of corners. All is done in the frame of the box whose face is the
  * reference, where faces are parallel to the axes and clipping needs no product but one.
  */
-#include "engine.h"
+#include "collide_clip.h"
 
 typedef struct half_size {
     cairn_offset x, y;
 } half_size;
-
-/* One box in the frame of another. */
-typedef struct relative {
-    cairn_offset x, y; /* centre */
-    cairn_unit c, s;   /* rotation */
-} relative;
 
 static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 
@@ -25,21 +19,10 @@ static half_size half_size_of(const cairn_shape *shape)
     return half;
 }
 
-/* b in the frame of a, their centres (x, y) apart. */
-static relative seen_from(const cairn_pose *a, const cairn_pose *b, cairn_offset x, cairn_offset y)
-{
-    relative r;
-    r.x = cairn_offset_dot(x, y, a->c, a->s);
-    r.y = cairn_offset_dot(x, y, -a->s, a->c);
-    r.c = cairn_unit_dot(a->c, a->s, b->c, b->s);
-    r.s = cairn_unit_dot(a->c, a->s, b->s, -b->c);
-    return r;
-}
-
 /* The first box as it is seen from the other one. */
-static relative seen_back(const relative *r)
+static cairn_relative seen_back(const cairn_relative *r)
 {
-    relative back;
+    cairn_relative back;
     back.x = -cairn_offset_dot(r->x, r->y, r->c, r->s);
     back.y = -cairn_offset_dot(r->x, r->y, -r->s, r->c);
     back.c = r->c;
@@ -48,7 +31,7 @@ static relative seen_back(const relative *r)
 }
 
 /* How far a box's own two axes separate it from the other, and which of them does most. */
-static cairn_offset separation_of(half_size own, half_size other, const relative *r, bool *along_y)
+static cairn_offset separation_of(half_size own, half_size other, const cairn_relative *r, bool *along_y)
 {
     cairn_unit c = magnitude(r->c), s = magnitude(r->s);
     cairn_offset x = magnitude(r->x) - own.x - cairn_offset_dot(other.x, other.y, c, s);
@@ -57,26 +40,11 @@ static cairn_offset separation_of(half_size own, half_size other, const relative
     return y > x ? y : x;
 }
 
-/* A corner of the incident face: `along` the reference face from its middle, and outside of it. */
-typedef struct face_point {
-    cairn_offset along, separation;
-} face_point;
-
-/* Bring `point` to `along` by going towards `other`. */
-static face_point clipped(face_point point, face_point other, cairn_offset along)
-{
-    cairn_offset whole = other.along - point.along, part = along - point.along;
-    cairn_unit fraction = whole < 0 ? cairn_offset_fraction(-part, -whole) : cairn_offset_fraction(part, whole);
-    point.along = along;
-    point.separation += cairn_offset_mul(other.separation - point.separation, fraction);
-    return point;
-}
-
 /*
  * The face with normal `axis` (0: +x, 1: +y, 2: -x, 3: -y, as in the outline of a box) of the reference, and the face
  * of the other box that looks against it. The rotation is turned until the reference face looks along +x.
  */
-static int incident_face(const relative *r, half_size other, int axis, face_point ends[2])
+static int incident_face(const cairn_relative *r, half_size other, int axis, cairn_edge_point ends[2])
 {
     cairn_offset x = axis == 0 ? r->x : axis == 1 ? r->y : axis == 2 ? -r->x : -r->y;
     cairn_offset y = axis == 0 ? r->y : axis == 1 ? -r->x : axis == 2 ? -r->y : r->x;
@@ -97,40 +65,25 @@ static int incident_face(const relative *r, half_size other, int axis, face_poin
     return face;
 }
 
-/* Clip the incident face against the ends of the reference face and keep what lies within the margin. */
-static void clip(const cairn_pose *a, const cairn_pose *reference, half_size own, half_size other, const relative *r, bool along_y, bool swapped,
+/* Clip the incident face against the ends of the reference face. */
+static void clip(const cairn_pose *a, const cairn_pose *reference, half_size own, half_size other, const cairn_relative *r, bool along_y, bool swapped,
                  cairn_offset margin, cairn_manifold *out)
 {
     int axis = along_y ? (r->y > 0 ? 1 : 3) : r->x > 0 ? 0 : 2;
-    cairn_offset height = along_y ? own.y : own.x, width = along_y ? own.x : own.y;
     cairn_unit c = reference->c, s = reference->s;
-    cairn_unit nx = axis == 0 ? c : axis == 1 ? -s : axis == 2 ? -c : s;
-    cairn_unit ny = axis == 0 ? s : axis == 1 ? c : axis == 2 ? -s : -c;
-    face_point ends[2];
-    int face = incident_face(r, other, axis, ends);
-    for (int i = 0; i < 2; i++) {
-        face_point point = ends[i], end = ends[1 - i];
-        if ((point.along < -width && end.along < -width) || (point.along > width && end.along > width)) {
-            continue;
-        }
-        if (point.along < -width) {
-            point = clipped(point, end, -width);
-        } else if (point.along > width) {
-            point = clipped(point, end, width);
-        }
-        point.separation -= height;
-        if (point.separation > margin) {
-            continue;
-        }
-        cairn_manifold_point *result = &out->points[out->count++];
-        cairn_offset middle = height + cairn_offset_half(point.separation);
-        result->x = reference->x - a->x + cairn_offset_dot(middle, point.along, nx, -ny);
-        result->y = reference->y - a->y + cairn_offset_dot(middle, point.along, ny, nx);
-        result->separation = point.separation;
-        result->feature = cairn_feature(axis, face, i, swapped);
-    }
-    out->normal_x = swapped ? -nx : nx;
-    out->normal_y = swapped ? -ny : ny;
+    cairn_edge_point ends[2];
+    cairn_clip_edge by;
+    by.origin_x = reference->x - a->x;
+    by.origin_y = reference->y - a->y;
+    by.height = along_y ? own.y : own.x;
+    by.high = along_y ? own.x : own.y;
+    by.low = -by.high;
+    by.x = axis == 0 ? c : axis == 1 ? -s : axis == 2 ? -c : s;
+    by.y = axis == 0 ? s : axis == 1 ? c : axis == 2 ? -s : -c;
+    by.edge = axis;
+    by.swapped = swapped;
+    by.incident = incident_face(r, other, axis, ends);
+    cairn_clip(&by, ends, margin, out);
 }
 
 void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
@@ -138,12 +91,12 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
     half_size half_a = half_size_of(a->shape), half_b = half_size_of(b->shape);
     bool y_a, y_b;
     out->count = 0;
-    relative b_from_a = seen_from(a, b, b->x - a->x, b->y - a->y);
+    cairn_relative b_from_a = cairn_pose_seen_from(a, b);
     cairn_offset from_a = separation_of(half_a, half_b, &b_from_a, &y_a);
     if (from_a > margin) {
         return;
     }
-    relative a_from_b = seen_back(&b_from_a);
+    cairn_relative a_from_b = seen_back(&b_from_a);
     cairn_offset from_b = separation_of(half_b, half_a, &a_from_b, &y_b);
     if (from_b > margin) {
         return;

@@ -3,27 +3,14 @@
  * clipped against the sides of the reference edge (Sutherland and Hodgman). Both outlines stay in their own frames, where they are
  * constants: only the axes that are tried, and the two corners that are clipped, are turned.
  */
-#include "engine.h"
+#include "collide_clip.h"
 
-/* One polygon in the frame of another. */
-typedef struct relative {
-    cairn_offset2 centre;
-    cairn_unit c, s;
-} relative;
-
-/* b in the frame of a, and then a in that of b. */
-static relative seen_from(const cairn_pose *a, const cairn_pose *b)
+/* And then a in that of b. */
+static inline cairn_relative turned_round(cairn_relative r, const cairn_pose *a, const cairn_pose *b)
 {
-    relative r;
-    r.centre = cairn_offset2_turned_back(b->x - a->x, b->y - a->y, a->c, a->s);
-    r.c = cairn_unit_dot(a->c, a->s, b->c, b->s);
-    r.s = cairn_unit_dot(a->c, a->s, b->s, -b->c);
-    return r;
-}
-
-static inline relative turned_round(relative r, const cairn_pose *a, const cairn_pose *b)
-{
-    r.centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
+    cairn_offset2 centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
+    r.x = centre.x;
+    r.y = centre.y;
     r.s = -r.s;
     return r;
 }
@@ -54,14 +41,14 @@ static inline cairn_offset support_distance(const cairn_outline *polygon, cairn_
 /* What the faces of `of` are to be separated from, in the frame of `of`. */
 typedef struct counterpart {
     const cairn_outline *outline;
-    const relative *at;
+    const cairn_relative *at;
 } counterpart;
 
 /* The most by which a face may separate them: as much as it does the disc. Most faces are told by that. */
 static inline cairn_offset most_of(const cairn_outline *of, int edge, const counterpart *from)
 {
-    const cairn_offset2 *vertex = &of->vertex[edge], *centre = &from->at->centre;
-    return cairn_offset_dot(centre->x - vertex->x, centre->y - vertex->y, of->normal[edge].x, of->normal[edge].y) - from->outline->inradius;
+    const cairn_offset2 *vertex = &of->vertex[edge];
+    return cairn_offset_dot(from->at->x - vertex->x, from->at->y - vertex->y, of->normal[edge].x, of->normal[edge].y) - from->outline->inradius;
 }
 
 /* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */
@@ -123,36 +110,21 @@ static int incident_edge(const cairn_outline *polygon, int corner, cairn_unit2 n
 static int after(const cairn_outline *polygon, int edge) { return edge + 1 < polygon->count ? edge + 1 : 0; }
 
 /* A corner of the incident edge in the frame of the reference edge. */
-typedef struct edge_point {
-    cairn_offset along, separation;
-} edge_point;
-
-static edge_point edge_point_of(cairn_offset2 corner, const relative *at, cairn_offset2 from, cairn_unit2 n)
+static cairn_edge_point edge_point_of(cairn_offset2 corner, const cairn_relative *at, cairn_offset2 from, cairn_unit2 n)
 {
-    edge_point point;
+    cairn_edge_point point;
     cairn_offset2 r = cairn_offset2_turned(corner, at->c, at->s);
-    r.x += at->centre.x - from.x;
-    r.y += at->centre.y - from.y;
+    r.x += at->x - from.x;
+    r.y += at->y - from.y;
     point.along = cairn_offset_dot(r.x, r.y, -n.y, n.x);
     point.separation = cairn_offset_dot(r.x, r.y, n.x, n.y);
     return point;
 }
 
-/* Bring `point` to `along` by going towards `other`. */
-static edge_point clipped(edge_point point, edge_point other, cairn_offset along)
-{
-    edge_point result;
-    cairn_offset whole = other.along - point.along, part = along - point.along;
-    cairn_unit fraction = whole < 0 ? cairn_offset_fraction(-part, -whole) : cairn_offset_fraction(part, whole);
-    result.along = along;
-    result.separation = point.separation + cairn_offset_mul(other.separation - point.separation, fraction);
-    return result;
-}
-
 /* What separates the two most. */
 typedef struct reference {
     axis face;
-    relative at; /* the other one in the frame of the polygon whose face it is */
+    cairn_relative at; /* the other one in the frame of the polygon whose face it is */
 } reference;
 
 /* Of two that are not both boxes. False if they are farther apart than the margin. */
@@ -163,7 +135,7 @@ CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_
     counterpart from;
     a->shape->kind->outline(a->shape, room.corner, &of_a);
     b->shape->kind->outline(b->shape, room.corner, &of_b);
-    out->at = seen_from(a, b);
+    out->at = cairn_pose_seen_from(a, b);
     out->face.separation = -CAIRN_OFFSET_MAX;
     out->face.of_b = false;
     from.outline = &of_b;
@@ -173,7 +145,7 @@ CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_
         return false;
     }
     axis face;
-    relative at = turned_round(out->at, a, b);
+    cairn_relative at = turned_round(out->at, a, b);
     face.separation = out->face.separation;
     from.outline = &of_a;
     from.at = &at;
@@ -187,7 +159,7 @@ CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_
         out->face.separation = others = face.separation;
     }
     /* What nears along one face goes away along another one by as much, at most. */
-    *steady = cairn_offset_half(out->face.separation - others - (CAIRN_FACE_PREFERENCE + CAIRN_OUTLINE_ROUNDING));
+    *steady = CAIRN_WITH_QUICK_WAYS ? cairn_offset_half(out->face.separation - others - (CAIRN_FACE_PREFERENCE + CAIRN_OUTLINE_ROUNDING)) : 0;
     return out->face.separation <= margin;
 }
 
@@ -205,37 +177,24 @@ CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference 
 
     against->shape->kind->outline(against->shape, room.corner, &outline);
     int facing = incident_edge(&outline, by->face.corner, by->face.normal);
-    edge_point ends[2];
+    cairn_edge_point ends[2];
     ends[0] = edge_point_of(outline.vertex[facing], &by->at, from, n);
     ends[1] = edge_point_of(outline.vertex[after(&outline, facing)], &by->at, from, n);
 
-    /* From here on in the world's directions. */
+    /* In the world's directions. */
     n = cairn_unit2_turned(n, own->c, own->s);
     from = cairn_offset2_turned(from, own->c, own->s);
-    from.x += own->x - a->x;
-    from.y += own->y - a->y;
-    for (int i = 0; i < 2; i++) {
-        edge_point point = ends[i], end = ends[1 - i];
-        if ((point.along < 0 && end.along < 0) || (point.along > length && end.along > length)) {
-            continue;
-        }
-        if (point.along < 0) {
-            point = clipped(point, end, 0);
-        } else if (point.along > length) {
-            point = clipped(point, end, length);
-        }
-        if (point.separation > margin) {
-            continue;
-        }
-        cairn_manifold_point *result = &out->points[out->count++];
-        cairn_offset half = cairn_offset_half(point.separation);
-        result->x = from.x + cairn_offset_dot(point.along, half, -n.y, n.x);
-        result->y = from.y + cairn_offset_dot(point.along, half, n.x, n.y);
-        result->separation = point.separation;
-        result->feature = cairn_feature(edge, facing, i, by->face.of_b);
-    }
-    out->normal_x = by->face.of_b ? -n.x : n.x;
-    out->normal_y = by->face.of_b ? -n.y : n.y;
+    cairn_clip_edge in_world;
+    in_world.origin_x = from.x + own->x - a->x;
+    in_world.origin_y = from.y + own->y - a->y;
+    in_world.height = in_world.low = 0;
+    in_world.high = length;
+    in_world.x = n.x;
+    in_world.y = n.y;
+    in_world.edge = edge;
+    in_world.incident = facing;
+    in_world.swapped = by->face.of_b;
+    cairn_clip(&in_world, ends, margin, out);
 }
 
 /* In two steps that do not lie on the stack together: a box's corners are there. */
