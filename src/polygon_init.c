@@ -6,9 +6,9 @@
 #include "engine.h"
 
 /* A corner that stands out less from the line between its neighbours lies on it but for rounding: two steps of a cairn_real. */
-#define FLAT cairn_wide_from_offset(CAIRN_OFFSET(0.00003))
+#define FLAT CAIRN_OFFSET(0.00003)
 /* The least width: 1 mm, less what rounding may take. */
-#define THIN cairn_wide_from_offset(CAIRN_OFFSET(0.00099))
+#define THIN CAIRN_OFFSET(0.00099)
 
 typedef struct corner_list {
     int count;
@@ -25,14 +25,18 @@ CAIRN_ONCE cairn_area turn(const cairn_offset2 *a, const cairn_offset2 *b, const
 }
 
 /* x^2 + y^2 */
-static cairn_wide squared(cairn_wide x, cairn_wide y) { return cairn_wide_add(cairn_wide_mul(x, x), cairn_wide_mul(y, y)); }
-
-static cairn_wide distance_squared(const cairn_offset2 *a, const cairn_offset2 *b)
+CAIRN_ONCE cairn_wide square_of(cairn_offset x, cairn_offset y)
 {
-    return squared(cairn_wide_from_offset(b->x - a->x), cairn_wide_from_offset(b->y - a->y));
+    cairn_wide wide_x = cairn_wide_from_offset(x), wide_y = cairn_wide_from_offset(y);
+    return cairn_wide_add(cairn_wide_mul(wide_x, wide_x), cairn_wide_mul(wide_y, wide_y));
 }
 
-CAIRN_ONCE cairn_wide distance(const cairn_offset2 *a, const cairn_offset2 *b) { return cairn_wide_sqrt(distance_squared(a, b)); }
+/* Does a triangle with twice this area rise less above its side from a to b? */
+CAIRN_ONCE bool is_lower(cairn_area area, const cairn_offset2 *a, const cairn_offset2 *b, cairn_offset height)
+{
+    cairn_wide side = cairn_wide_sqrt(square_of(b->x - a->x, b->y - a->y));
+    return cairn_wide_less(cairn_wide_from_area(area), cairn_wide_mul(side, cairn_wide_from_offset(height)));
+}
 
 /* ---- corners ---- */
 
@@ -73,7 +77,7 @@ static bool is_flat_at(const corner_list *corners, int i)
     if (left <= 0 || is_acute(a, b, c)) {
         return left <= 0;
     }
-    return cairn_wide_less(cairn_wide_from_area(left), cairn_wide_mul(distance(a, c), FLAT));
+    return is_lower(left, a, c, FLAT);
 }
 
 static bool points_down(const cairn_offset2 *a, const cairn_offset2 *b) { return b->y < a->y || (b->y == a->y && b->x < a->x); }
@@ -102,7 +106,7 @@ static bool is_thin(const corner_list *corners)
             cairn_area span = turn(&corners->at[i], after(corners, i), &corners->at[j]);
             most = span > most ? span : most;
         }
-        if (cairn_wide_less(cairn_wide_from_area(most), cairn_wide_mul(distance(&corners->at[i], after(corners, i)), THIN))) {
+        if (is_lower(most, &corners->at[i], after(corners, i), THIN)) {
             return true;
         }
     }
@@ -118,30 +122,11 @@ static cairn_status put_in_order(corner_list *corners)
     return is_convex(corners) && !is_thin(corners) ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-/* ---- measures: the fan of triangles from the first corner ---- */
+/* ---- the centroid: of the fan of triangles from the first corner ---- */
 
-static cairn_area fan_area(const corner_list *corners, int i) { return turn(corners->at, &corners->at[i], &corners->at[i + 1]); }
-CAIRN_ONCE cairn_wide fan_weight(const corner_list *corners, int i) { return cairn_wide_from_area(fan_area(corners, i)); }
+typedef enum axis { AXIS_X, AXIS_Y } axis;
 
-static cairn_wide twice_area(const corner_list *corners)
-{
-    cairn_area sum = 0;
-    for (int i = 1; i + 1 < corners->count; i++) {
-        sum += fan_area(corners, i);
-    }
-    return cairn_wide_from_area(sum);
-}
-
-/* The lower left corner of the bounding box. */
-static cairn_offset2 lowest(const corner_list *corners)
-{
-    cairn_offset2 low = corners->at[0];
-    for (int i = 1; i < corners->count; i++) {
-        low.x = corners->at[i].x < low.x ? corners->at[i].x : low.x;
-        low.y = corners->at[i].y < low.y ? corners->at[i].y : low.y;
-    }
-    return low;
-}
+static cairn_offset on(axis k, const cairn_offset2 *p) { return k == AXIS_X ? p->x : p->y; }
 
 /* x + y + z, none of them negative */
 static cairn_wide sum_of(cairn_offset x, cairn_offset y, cairn_offset z)
@@ -149,53 +134,30 @@ static cairn_wide sum_of(cairn_offset x, cairn_offset y, cairn_offset z)
     return cairn_wide_add(cairn_wide_from_sum(x, y), cairn_wide_from_offset(z));
 }
 
-/* The mean of the triangles' centroids, weighted by area, from the lower left: (sum of A_i (a_i + b_i + c_i)) / 3 A. */
+/* The mean of the triangles' centroids, weighted by area, from the lowest corner on: (sum of A_i (a_i + b_i + c_i)) / 3 A. */
+CAIRN_ONCE cairn_offset mean_on(axis k, const corner_list *corners)
+{
+    cairn_wide sum = cairn_wide_zero();
+    cairn_area whole = 0;
+    cairn_offset low = on(k, corners->at);
+    for (int i = 1; i < corners->count; i++) {
+        low = on(k, &corners->at[i]) < low ? on(k, &corners->at[i]) : low;
+    }
+    for (int i = 1; i + 1 < corners->count; i++) {
+        const cairn_offset2 *a = corners->at, *b = &corners->at[i], *c = b + 1;
+        cairn_area part = turn(a, b, c);
+        whole += part;
+        sum = cairn_wide_add(sum, cairn_wide_mul(cairn_wide_from_area(part), sum_of(on(k, a) - low, on(k, b) - low, on(k, c) - low)));
+    }
+    return low + cairn_wide_to_offset(cairn_wide_div(sum, cairn_wide_mul(cairn_wide_from_int(3), cairn_wide_from_area(whole))));
+}
+
 static cairn_offset2 centroid_of(const corner_list *corners)
 {
-    cairn_offset2 low = lowest(corners), first = corners->at[0], centroid;
-    cairn_wide x = cairn_wide_zero(), y = cairn_wide_zero();
-    cairn_wide thrice = cairn_wide_mul(cairn_wide_from_int(3), twice_area(corners));
-    for (int i = 1; i + 1 < corners->count; i++) {
-        cairn_offset2 b = corners->at[i], c = corners->at[i + 1];
-        cairn_wide area = fan_weight(corners, i);
-        x = cairn_wide_add(x, cairn_wide_mul(area, sum_of(first.x - low.x, b.x - low.x, c.x - low.x)));
-        y = cairn_wide_add(y, cairn_wide_mul(area, sum_of(first.y - low.y, b.y - low.y, c.y - low.y)));
-    }
-    centroid.x = low.x + cairn_wide_to_offset(cairn_wide_div(x, thrice));
-    centroid.y = low.y + cairn_wide_to_offset(cairn_wide_div(y, thrice));
+    cairn_offset2 centroid;
+    centroid.x = mean_on(AXIS_X, corners);
+    centroid.y = mean_on(AXIS_Y, corners);
     return centroid;
-}
-
-/* Squared radius of gyration of a triangle about its own centroid, times 36: the sum of its squared sides. */
-static cairn_wide triangle_gyration(const cairn_offset2 *a, const cairn_offset2 *b, const cairn_offset2 *c)
-{
-    return cairn_wide_add(distance_squared(a, b), cairn_wide_add(distance_squared(b, c), distance_squared(c, a)));
-}
-
-/* Squared distance of the centroids of the fan's triangles i and j, times 9. */
-static cairn_wide centroid_distance(const corner_list *corners, int i, int j)
-{
-    const cairn_offset2 *p = corners->at;
-    return squared(cairn_wide_from_sum(p[i].x - p[j].x, p[i + 1].x - p[j + 1].x),
-                   cairn_wide_from_sum(p[i].y - p[j].y, p[i + 1].y - p[j + 1].y));
-}
-
-/*
- * Squared radius of gyration: the mean of the triangles' own, and the variance of their centroids as the mean over all
- * pairs, sum of A_i A_j |c_i - c_j|^2 / A^2 (Huygens and Koenig, without a difference of large numbers).
- */
-static cairn_wide gyration_squared(const corner_list *corners, cairn_wide whole)
-{
-    cairn_wide own = cairn_wide_zero(), spread = cairn_wide_zero();
-    for (int i = 1; i + 1 < corners->count; i++) {
-        cairn_wide share = cairn_wide_div(fan_weight(corners, i), whole);
-        own = cairn_wide_add(own, cairn_wide_mul(share, triangle_gyration(corners->at, &corners->at[i], &corners->at[i + 1])));
-        for (int j = 1; j < i; j++) {
-            cairn_wide other = cairn_wide_div(fan_weight(corners, j), whole);
-            spread = cairn_wide_add(spread, cairn_wide_mul(cairn_wide_mul(share, other), centroid_distance(corners, i, j)));
-        }
-    }
-    return cairn_wide_add(cairn_wide_div(own, cairn_wide_from_int(36)), cairn_wide_div(spread, cairn_wide_from_int(9)));
 }
 
 /* ---- the polygon ---- */
@@ -216,23 +178,37 @@ static void fill_outline(cairn_polygon *polygon, const corner_list *corners, cai
     polygon->count = (uint8_t)corners->count;
     polygon->centroid.x = centroid.x;
     polygon->centroid.y = centroid.y;
+    polygon->inradius = CAIRN_OFFSET_MAX;
     for (int i = 0; i < corners->count; i++) {
         const cairn_offset2 *here = &corners->at[i], *next = after(corners, i);
-        polygon->vertex[i].x = here->x - centroid.x;
-        polygon->vertex[i].y = here->y - centroid.y;
-        cairn_unit_along(next->y - here->y, here->x - next->x, &polygon->normal[i].x, &polygon->normal[i].y);
+        cairn_offset2 *vertex = &polygon->vertex[i];
+        cairn_unit2 *normal = &polygon->normal[i];
+        vertex->x = here->x - centroid.x;
+        vertex->y = here->y - centroid.y;
+        cairn_unit_along(next->y - here->y, here->x - next->x, &normal->x, &normal->y);
+        cairn_offset distance = cairn_offset_dot(vertex->x, vertex->y, normal->x, normal->y);
+        polygon->inradius = distance < polygon->inradius ? distance : polygon->inradius;
     }
 }
 
-/* How near the nearest edge is. */
-static cairn_offset inradius_of(const cairn_polygon *polygon)
+/*
+ * Area and radius of gyration, by the triangles from the centroid to each side: one with corners 0, a, b turns with A (a^2 + a b + b^2) / 6, and
+ * a^2 + a b + b^2 is (a^2 + b^2 + (a + b)^2) / 2, a sum of positive numbers.
+ */
+static void measure(cairn_polygon *polygon)
 {
-    cairn_offset least = CAIRN_OFFSET_MAX;
-    for (int i = 0; i < polygon->count; i++) {
-        cairn_offset distance = cairn_offset_dot(polygon->vertex[i].x, polygon->vertex[i].y, polygon->normal[i].x, polygon->normal[i].y);
-        least = distance < least ? distance : least;
+    cairn_wide moment = cairn_wide_zero(), whole;
+    cairn_area area = 0;
+    const cairn_offset2 *a = &polygon->vertex[polygon->count - 1];
+    for (const cairn_offset2 *b = polygon->vertex; b != polygon->vertex + polygon->count; a = b++) {
+        cairn_area part = cairn_offset_cross(a->x, a->y, b->x, b->y);
+        cairn_wide squares = cairn_wide_add(cairn_wide_add(square_of(a->x, a->y), square_of(b->x, b->y)), square_of(a->x + b->x, a->y + b->y));
+        area += part;
+        moment = cairn_wide_add(moment, cairn_wide_mul(cairn_wide_from_area(part), squares));
     }
-    return least;
+    whole = cairn_wide_from_area(area);
+    polygon->mass.area = cairn_wide_div(whole, cairn_wide_from_int(2));
+    polygon->mass.gyration = cairn_wide_sqrt(cairn_wide_div(moment, cairn_wide_mul(cairn_wide_from_int(12), whole)));
 }
 
 /* From corners in order. */
@@ -242,15 +218,12 @@ static cairn_status fill(cairn_polygon *polygon, const corner_list *corners, cai
     if (radius > cairn_offset_from_real(CAIRN_SHAPE_RADIUS_MAX)) {
         return CAIRN_ERROR_SHAPE;
     }
-    cairn_wide whole = twice_area(corners);
     cairn_clear(polygon, sizeof *polygon);
     polygon->shape.kind = &cairn_polygon_class;
     polygon->shape.size = cairn_vec2_of(cairn_real_above_offset(radius), 0);
     polygon->shape.polygon = polygon;
-    polygon->mass.area = cairn_wide_div(whole, cairn_wide_from_int(2));
-    polygon->mass.gyration = cairn_wide_sqrt(gyration_squared(corners, whole));
     fill_outline(polygon, corners, centroid);
-    polygon->inradius = inradius_of(polygon);
+    measure(polygon);
     return CAIRN_OK;
 }
 
@@ -296,48 +269,36 @@ cairn_status cairn_polygon_init_regular(cairn_polygon *polygon, int sides, cairn
 
 static bool is_left_of(const cairn_offset2 *a, const cairn_offset2 *b) { return a->x < b->x || (a->x == b->x && a->y < b->y); }
 
-/* From left to right, by insertion. */
-static void sort(corner_list *corners)
+static cairn_offset size_of(cairn_offset x) { return x < 0 ? -x : x; }
+
+/* How far two points are apart, as far as points of one line are compared by it. */
+static cairn_offset apart(const cairn_offset2 *a, const cairn_offset2 *b) { return size_of(b->x - a->x) + size_of(b->y - a->y); }
+
+/* From a corner of the hull, the one that all others lie to the left of; the farthest if several are in line. */
+static const cairn_offset2 *next_corner(const corner_list *points, const cairn_offset2 *corner)
 {
-    for (int i = 1; i < corners->count; i++) {
-        cairn_offset2 moved = corners->at[i];
-        int place = i;
-        while (place > 0 && is_left_of(&moved, &corners->at[place - 1])) {
-            corners->at[place] = corners->at[place - 1];
-            place--;
+    const cairn_offset2 *next = points->at;
+    for (const cairn_offset2 *p = points->at + 1; p != points->at + points->count; p++) {
+        cairn_area left = turn(corner, next, p);
+        if (left < 0 || (left == 0 && apart(corner, p) > apart(corner, next))) {
+            next = p;
         }
-        corners->at[place] = moved;
     }
+    return next;
 }
 
-/* Add a corner to a chain that turns left only; `start` is where the chain began. */
-static void extend(corner_list *chain, int start, const cairn_offset2 *corner)
-{
-    while (chain->count >= start + 2 && turn(&chain->at[chain->count - 2], &chain->at[chain->count - 1], corner) <= 0) {
-        chain->count--;
-    }
-    chain->at[chain->count++] = *corner;
-}
-
-/*
- * Andrew's monotone chain: from left to right along what lies below the line from the first to the last point, and back
- * along what lies above it. No point is in both chains, so the hull is never longer than the list.
- */
+/* Gift wrapping (Jarvis): round from the leftmost point, until it is reached again. */
 static void wrap(const corner_list *points, corner_list *hull)
 {
-    const cairn_offset2 *first = &points->at[0], *last = &points->at[points->count - 1];
+    const cairn_offset2 *corner = points->at;
+    for (const cairn_offset2 *p = points->at + 1; p != points->at + points->count; p++) {
+        corner = is_left_of(p, corner) ? p : corner;
+    }
     hull->count = 0;
-    for (int i = 0; i < points->count; i++) {
-        if (turn(first, last, &points->at[i]) <= 0) {
-            extend(hull, 0, &points->at[i]);
-        }
-    }
-    int start = hull->count - 1;
-    for (int i = points->count - 1; i >= 0; i--) {
-        if (turn(first, last, &points->at[i]) > 0) {
-            extend(hull, start, &points->at[i]);
-        }
-    }
+    do {
+        hull->at[hull->count++] = *corner;
+        corner = next_corner(points, corner);
+    } while (hull->count < points->count && apart(corner, hull->at) != 0);
 }
 
 /* Leave out corners that lie on the line between their neighbours but for rounding. */
@@ -369,7 +330,6 @@ cairn_status cairn_polygon_init_hull(cairn_polygon *polygon, const cairn_vec2 *p
     if (load(&given, points, count) != CAIRN_OK) {
         return CAIRN_ERROR_SHAPE;
     }
-    sort(&given);
     wrap(&given, &hull);
     drop_flat(&hull);
     if (hull.count < 3 || hull.count > CAIRN_MAX_VERTICES || put_in_order(&hull) != CAIRN_OK) {
