@@ -17,7 +17,8 @@ typedef struct pair_state {
 CAIRN_INLINE bool is_even(int path) { return path == CAIRN_PATH_EVEN || path == CAIRN_PATH_EVEN_CENTRAL; }
 CAIRN_INLINE bool is_central(int path) { return path == CAIRN_PATH_CENTRAL || path == CAIRN_PATH_EVEN_CENTRAL; }
 CAIRN_INLINE bool may_be_apart(int path) { return path != CAIRN_PATH_ON_STATIC && path != CAIRN_PATH_EVEN; }
-CAIRN_INLINE bool has_two_points(int path) { return CAIRN_MAX_POINTS > 1 && !is_central(path) && path != CAIRN_PATH_SINGLE; }
+CAIRN_INLINE bool has_one_point(int path) { return is_central(path) || path == CAIRN_PATH_SINGLE; }
+CAIRN_INLINE bool has_two_points(int path) { return CAIRN_MAX_POINTS > 1 && !has_one_point(path); }
 
 CAIRN_INLINE pair_state load(const cairn_body *a, const cairn_body *b)
 {

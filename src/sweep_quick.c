@@ -47,16 +47,15 @@ CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body
 
 CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
+    if (CAIRN_KNOWS_QUIET && has_one_point(path) && arbiter->rows[0].gap <= 0 && quiet_biased(a, b, arbiter, path)) {
+        return;
+    }
+    cairn_forget();
     if (is_out(a, b, arbiter, path)) {
         return;
     }
-    cairn_size size = cairn_pair_size(a, b, path, !is_central(path));
-    if (!cairn_size_is_below(size, CAIRN_CALM)) {
+    if (!cairn_is_calm(a, b, path, !is_central(path))) {
         cairn_careful_biased_pass(world, arbiter, from_last);
-        return;
-    }
-    if (path == CAIRN_PATH_SINGLE && is_quiet(size, arbiter->rows[0].gap)) {
-        quiet_biased(a, b, arbiter);
         return;
     }
     bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
@@ -85,16 +84,15 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
 
 CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
+    if (CAIRN_KNOWS_QUIET && has_one_point(path) && arbiter->rows[0].gap <= 0 && quiet_relax(world, a, b, arbiter, path)) {
+        return;
+    }
+    cairn_forget();
     if (is_out(a, b, arbiter, path)) {
         return;
     }
-    cairn_size size = cairn_pair_size(a, b, path, true);
-    if (!cairn_size_is_below(size, CAIRN_CALM)) {
+    if (!cairn_is_calm(a, b, path, true)) {
         cairn_careful_relax_pass(world, arbiter, from_last);
-        return;
-    }
-    if (path == CAIRN_PATH_SINGLE && is_quiet(size, arbiter->rows[0].gap)) {
-        quiet_relax(world, a, b, arbiter);
         return;
     }
     bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;

@@ -1,112 +1,156 @@
 /*
- * One point of a quiet pair, in products of 32 bits: the same bits as the way of sweep_quick.c for any bodies, for cores without a long
- * multiply, where a product then takes half of the instructions. Quiet is what has speeds and spins below QUIET = 2^12 units (3.7 mm/s with 4
- * sub-steps), and whose point touched when the step began. With |j| <= 2 a row's velocity is at most (2 sqrt(2) + 4) QUIET, its change no
- * more, and from it a spin changes by half of that at most, since a j / (1 + a j^2) <= 1/2 for a share a <= 1. So friction's velocity is
- * below (2 sqrt(2) + 4 (1 + 3.42)) QUIET = 2^16.4, whose product with a mass of at most 1 fits; and so do those of an impulse's change below
- * CHANGE, of which all parts are below 2^15 in fine units. A greater one goes on by the wider products.
+ * One point of a quiet pair, in products of 32 bits: the same bits as the ways of sweep_quick.c for any bodies, for cores without a long
+ * multiply, where a product then takes half of the instructions. Quiet is a pair of calm bodies whose speed to one another and whose spins are
+ * below Q = 2^15 units (30 mm/s with 4 sub-steps), and whose point touched when the step began. With |n| = 1, |j| <= 2, shares a + b = 1 and a
+ * row's mass e = 1 / (1 + a jA^2 + b jB^2) these are the products:
+ *
+ * - Levers times spins are at most 2 * 2^15 * 2^14.
+ * - A row's velocity, times e: (1.42 + |jA| + |jB|) Q e is below 3.2 Q, its greatest near jA = 2, a = 0, jB = 0.15. With the push-out it has no
+ *   such bound, and what is beyond 2^17 is not quiet. Nor is a change of an impulse beyond 2^15, which is 2^16 in fine units.
+ * - By that spins grow to Q + 2^16 a and Q + 2^16 b. Friction's levers then give 2^17 * 2^14 at most, and not quite, since all of these limits are
+ *   not reached; and its velocity, times e, is (1.42 + (1 + 2 a) |jA| + (1 + 2 b) |jB|) Q e, below 4 Q (jA = 2, a = 0, jB = 0.38).
  */
 #ifndef CAIRN_SWEEP_QUIET_H
 #define CAIRN_SWEEP_QUIET_H
 
 #include "sweep_pair.h"
 
-#define QUIET (CAIRN_QUIET / 8)
-#define CHANGE (CAIRN_QUIET / 2)
-/* What a push-out may be, that the product of its sum with the velocity fits. */
-#define QUIET_PUSH (CAIRN_QUIET * 2)
+/* The motion of b to a, and the spins, a's negative. */
+typedef struct quiet_state {
+    cairn_motion x, y, back_a, spin_b;
+} quiet_state;
 
-/* Does this size of the pair's motion, and this gap, let it go the quick way? */
-CAIRN_INLINE bool is_quiet(cairn_size size, cairn_motion gap) { return CAIRN_KNOWS_QUIET && cairn_size_is_below(size, QUIET) && gap <= 0 && gap >= -QUIET_PUSH; }
-CAIRN_INLINE bool is_small(cairn_motion change) { return change < CHANGE && change > -CHANGE; }
-
-/* What goes on by the wider products. */
-CAIRN_APART void push_single(const pair_state *quiet, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion change)
+/* False if the pair is not quiet. If b is calm with room to spare, so is a. */
+CAIRN_INLINE bool quiet_load(quiet_state *pair, const cairn_body *a, const cairn_body *b, bool with_spins)
 {
-    pair_state pair = *quiet;
-    press(&pair, arbiter, &arbiter->rows[0], change, CAIRN_PATH_SINGLE);
-    push_apart(&pair, a, b, arbiter, CAIRN_PATH_SINGLE);
-}
-CAIRN_APART void finish_single(const pair_state *quiet, cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion rub)
-{
-    pair_state pair = *quiet;
-    finish(&pair, a, b, arbiter, rub, CAIRN_PATH_SINGLE);
-}
-
-CAIRN_INLINE cairn_motion quiet_velocity(const pair_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb)
-{
-    return linear + cairn_quiet_levers(pair->spin_b, jb, pair->back_a, ja);
+    pair->x = cairn_kept(b->vx - a->vx);
+    pair->y = cairn_kept(b->vy - a->vy);
+    pair->spin_b = b->w;
+    pair->back_a = -a->w;
+    return cairn_motion_is_calm(b->vx) && cairn_motion_is_calm(b->vy) && cairn_motion_is_quiet(pair->x) && cairn_motion_is_quiet(pair->y)
+        && (!with_spins || (cairn_motion_is_quiet(pair->spin_b) && cairn_motion_is_quiet(pair->back_a)));
 }
 
 /* What an impulse does to the spins; returns a's part. */
-CAIRN_INLINE cairn_fine quiet_turn(pair_state *pair, const cairn_arbiter *arbiter, cairn_motion change, cairn_lever ja, cairn_lever jb)
+CAIRN_INLINE cairn_fine quiet_turn(quiet_state *pair, const cairn_arbiter *arbiter, cairn_motion change, cairn_lever ja, cairn_lever jb, int path)
 {
+    if (path == CAIRN_PATH_EVEN_CENTRAL) {
+        cairn_motion half = cairn_quiet_half_lever(change, jb); /* ja is -jb */
+        pair->spin_b += half;
+        pair->back_a -= half;
+        return 0;
+    }
     cairn_fine of_a = cairn_quiet_share(change, arbiter->share_a);
-    pair->spin_b += cairn_quiet_fine_lever(cairn_fine_of(change) - of_a, jb);
-    pair->back_a += cairn_quiet_fine_lever(of_a, ja);
+    pair->spin_b = cairn_quiet_add_fine_lever(pair->spin_b, cairn_fine_of(change) - of_a, jb);
+    pair->back_a = cairn_quiet_add_fine_lever(pair->back_a, of_a, ja);
     return of_a;
 }
 
-CAIRN_INLINE void quiet_biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+/* A row's velocity, on top of its linear part. */
+CAIRN_INLINE cairn_motion quiet_velocity(const quiet_state *pair, cairn_motion linear, cairn_lever ja, cairn_lever jb, int path)
 {
-    cairn_row *row = &arbiter->rows[0];
-    cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
-    pair_state pair = load(a, b);
-    cairn_motion u = quiet_velocity(&pair, cairn_quiet_along(b->vx - a->vx, b->vy - a->vy, nx, ny), row->lever_a, row->lever_b);
-    cairn_motion old = row->impulse, rigid = old - cairn_quiet_ratio(u + row->gap, row->mass);
-    cairn_motion impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX), change = impulse - old;
-    row->impulse = impulse;
-    if (!is_small(change)) {
-        pair_state wide = pair;
-        push_single(&wide, a, b, arbiter, change);
-        return;
-    }
-    cairn_fine of_a = quiet_turn(&pair, arbiter, change, row->lever_a, row->lever_b), of_b = cairn_fine_of(change) - of_a;
-    b->w = pair.spin_b;
-    a->w = -pair.back_a;
-    b->vx += cairn_quiet_fine_dir(of_b, nx);
-    b->vy += cairn_quiet_fine_dir(of_b, ny);
-    if (arbiter->share_a != 0) {
-        a->vx -= cairn_quiet_fine_dir(of_a, nx);
-        a->vy -= cairn_quiet_fine_dir(of_a, ny);
-    }
+    return path == CAIRN_PATH_EVEN_CENTRAL ? cairn_quiet_add_levers(linear, pair->spin_b - pair->back_a, jb, 0, 0)
+                                           : cairn_quiet_add_levers(linear, pair->spin_b, jb, pair->back_a, ja);
 }
 
-CAIRN_INLINE void quiet_relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter)
+/* One point of one of three paths: CAIRN_PATH_SINGLE, _CENTRAL, _EVEN_CENTRAL. False, and nothing done, if it is not quiet. */
+CAIRN_INLINE bool quiet_biased(cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
 {
     cairn_row *row = &arbiter->rows[0];
+    quiet_state pair;
+    if (!quiet_load(&pair, a, b, !is_central(path))) {
+        return false;
+    }
     cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
-    pair_state pair = load(a, b);
-    cairn_motion x = b->vx - a->vx, y = b->vy - a->vy, across = cairn_quiet_along(y, -x, nx, ny);
-    cairn_motion u = quiet_velocity(&pair, cairn_quiet_along(x, y, nx, ny), row->lever_a, row->lever_b);
-    cairn_motion old = row->impulse, pressure = cairn_motion_above_zero(old - cairn_quiet_ratio(u, row->mass), CAIRN_IMPULSE_MAX), push = pressure - old;
-    row->impulse = pressure;
-    cairn_fine of_a = quiet_turn(&pair, arbiter, push, row->lever_a, row->lever_b), of_b = cairn_fine_of(push) - of_a;
+    cairn_motion old = row->impulse, u = cairn_quiet_add_along(row->gap, pair.x, pair.y, nx, ny);
+    if (!is_central(path)) {
+        u = quiet_velocity(&pair, u, row->lever_a, row->lever_b, path);
+        if (!cairn_motion_is_fairly_quiet(u)) {
+            return false;
+        }
+    }
+    cairn_motion rigid = is_central(path) ? old - u : cairn_quiet_less_ratio(old, u, row->mass);
+    cairn_motion impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX), change = impulse - old;
+    if (!cairn_motion_is_quiet(change)) {
+        return false;
+    }
+    row->impulse = impulse;
+    if (is_even(path)) {
+        cairn_motion x = cairn_quiet_half_dir(change, nx), y = cairn_quiet_half_dir(change, ny);
+        a->vx -= x;
+        a->vy -= y;
+        b->vx += x;
+        b->vy += y;
+        return true;
+    }
+    cairn_fine of_a, of_b;
+    if (is_central(path)) {
+        of_a = cairn_quiet_share(change, arbiter->share_a);
+    } else {
+        of_a = quiet_turn(&pair, arbiter, change, row->lever_a, row->lever_b, path);
+        b->w = pair.spin_b;
+        a->w = -pair.back_a;
+    }
+    of_b = cairn_fine_of(change) - of_a;
+    b->vx = cairn_quiet_add_fine_dir(b->vx, of_b, nx);
+    b->vy = cairn_quiet_add_fine_dir(b->vy, of_b, ny);
+    a->vx = cairn_quiet_less_fine_dir(a->vx, of_a, nx);
+    a->vy = cairn_quiet_less_fine_dir(a->vy, of_a, ny);
+    return true;
+}
 
-    u = quiet_velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    cairn_motion rubbed = arbiter->friction_impulse, impulse = rubbed - cairn_quiet_ratio(u, arbiter->friction_mass);
+CAIRN_INLINE bool quiet_relax(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path)
+{
+    cairn_row *row = &arbiter->rows[0];
+    quiet_state pair;
+    if (!quiet_load(&pair, a, b, true)) {
+        return false;
+    }
+    cairn_dir nx = arbiter->normal_x, ny = arbiter->normal_y;
+    cairn_motion across = cairn_quiet_add_along(0, pair.y, -pair.x, nx, ny), u = cairn_quiet_add_along(0, pair.x, pair.y, nx, ny);
+    u = is_central(path) ? u : quiet_velocity(&pair, u, row->lever_a, row->lever_b, path);
+    cairn_motion old = row->impulse, rigid = is_central(path) ? old - u : cairn_quiet_less_ratio(old, u, row->mass);
+    cairn_motion pressure = cairn_motion_above_zero(rigid, CAIRN_IMPULSE_MAX), push = pressure - old;
+    if (!cairn_motion_is_quiet(push)) {
+        return false;
+    }
+    row->impulse = pressure;
+    cairn_fine of_a = 0;
+    if (path == CAIRN_PATH_CENTRAL) {
+        of_a = cairn_quiet_share(push, arbiter->share_a);
+    } else if (!is_central(path)) {
+        of_a = quiet_turn(&pair, arbiter, push, row->lever_a, row->lever_b, path);
+    }
+    cairn_fine of_b = cairn_fine_of(push) - of_a;
+
+    u = quiet_velocity(&pair, across, arbiter->friction_lever_a, arbiter->friction_lever_b, path);
+    cairn_motion rubbed = arbiter->friction_impulse, impulse = cairn_quiet_less_ratio(rubbed, u, arbiter->friction_mass);
     cairn_motion within = cairn_motion_factor_below(pressure, arbiter->kinetic_friction);
     if (impulse > within || -impulse > within) {
         impulse = rubbed + cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, impulse) - rubbed, CAIRN_GIVEN);
     }
-    arbiter->friction_impulse = impulse;
     cairn_motion rub = impulse - rubbed;
-    if (!is_small(rub)) {
-        pair_state wide = pair;
-        wide.linear = push;
-        wide.push_a = of_a;
-        finish_single(&wide, a, b, arbiter, rub);
-        return;
+    if (!cairn_motion_is_quiet(rub)) {
+        row->impulse = old;
+        return false;
     }
-    cairn_fine rub_a = quiet_turn(&pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b), rub_b = cairn_fine_of(rub) - rub_a;
+    arbiter->friction_impulse = impulse;
+    cairn_fine rub_a = quiet_turn(&pair, arbiter, rub, arbiter->friction_lever_a, arbiter->friction_lever_b, path), rub_b = cairn_fine_of(rub) - rub_a;
     b->w = pair.spin_b;
     a->w = -pair.back_a;
-    b->vx += cairn_quiet_fine_along(of_b, -rub_b, nx, ny);
-    b->vy += cairn_quiet_fine_along(rub_b, of_b, nx, ny);
-    if (arbiter->share_a != 0) {
-        a->vx -= cairn_quiet_fine_along(of_a, -rub_a, nx, ny);
-        a->vy -= cairn_quiet_fine_along(rub_a, of_a, nx, ny);
+    if (is_even(path)) {
+        cairn_motion x = cairn_quiet_half_along(push, -rub, nx, ny), y = cairn_quiet_half_along(rub, push, nx, ny);
+        a->vx -= x;
+        a->vy -= y;
+        b->vx += x;
+        b->vy += y;
+        return true;
     }
+    b->vx = cairn_quiet_add_fine_along(b->vx, of_b, -rub_b, nx, ny);
+    b->vy = cairn_quiet_add_fine_along(b->vy, rub_b, of_b, nx, ny);
+    a->vx = cairn_quiet_less_fine_along(a->vx, of_a, -rub_a, nx, ny);
+    a->vy = cairn_quiet_less_fine_along(a->vy, rub_a, of_a, nx, ny);
+    return true;
 }
 
 #endif

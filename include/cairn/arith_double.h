@@ -285,13 +285,23 @@ static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { retur
 static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
 #define CAIRN_KNOWS_QUIET 0
 #define CAIRN_QUIET CAIRN_MOTION(1.2e-4)
-static inline cairn_motion cairn_quiet_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
-static inline cairn_motion cairn_quiet_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return a * j + b * k; }
-static inline cairn_motion cairn_quiet_ratio(cairn_motion a, cairn_ratio r) { return a * r; }
+static inline bool cairn_motion_is_quiet(cairn_motion x) { return fabs(x) < CAIRN_QUIET; }
+static inline bool cairn_motion_is_fairly_quiet(cairn_motion x) { return fabs(x) < 4 * CAIRN_QUIET; }
+static inline bool cairn_motion_is_calm(cairn_motion x) { return fabs(x) < 1.0 / 64; }
+static inline void cairn_forget(void) {}
+static inline cairn_motion cairn_kept(cairn_motion x) { return x; }
+static inline cairn_motion cairn_quiet_add_along(cairn_motion sum, cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return sum + (x * dx + y * dy); }
+static inline cairn_motion cairn_quiet_add_levers(cairn_motion sum, cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return sum + (a * j + b * k); }
+static inline cairn_motion cairn_quiet_less_ratio(cairn_motion sum, cairn_motion a, cairn_ratio r) { return sum - a * r; }
 static inline cairn_fine cairn_quiet_share(cairn_motion a, cairn_share s) { return a * s; }
-static inline cairn_motion cairn_quiet_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
-static inline cairn_motion cairn_quiet_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }
-static inline cairn_motion cairn_quiet_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return x * dx + y * dy; }
+static inline cairn_motion cairn_quiet_half_dir(cairn_motion a, cairn_dir d) { return a * d / 2; }
+static inline cairn_motion cairn_quiet_half_lever(cairn_motion a, cairn_lever j) { return a * j / 2; }
+static inline cairn_motion cairn_quiet_half_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return (x * dx + y * dy) / 2; }
+static inline cairn_motion cairn_quiet_add_fine_dir(cairn_motion sum, cairn_fine a, cairn_dir d) { return sum + a * d; }
+static inline cairn_motion cairn_quiet_less_fine_dir(cairn_motion sum, cairn_fine a, cairn_dir d) { return sum - a * d; }
+static inline cairn_motion cairn_quiet_add_fine_lever(cairn_motion sum, cairn_fine a, cairn_lever j) { return sum + a * j; }
+static inline cairn_motion cairn_quiet_add_fine_along(cairn_motion sum, cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return sum + (x * dx + y * dy); }
+static inline cairn_motion cairn_quiet_less_fine_along(cairn_motion sum, cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return sum - (x * dx + y * dy); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {

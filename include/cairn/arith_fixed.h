@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD, _CLZ or _ASKS;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD_ROUNDED, _KEPT, _FORGET, _ADD, _CLZ or _ASKS;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -91,6 +91,15 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #ifndef CAIRN_PORT_TIMES
 #define CAIRN_PORT_TIMES(a, b) ((int64_t)(a) * (b))
 #endif
+#ifndef CAIRN_PORT_ADD_ROUNDED
+#define CAIRN_PORT_ADD_ROUNDED(sum, x, shift) ((sum) + ((((x) >> ((shift) - 1)) + 1) >> 1))
+#endif
+#ifndef CAIRN_PORT_KEPT
+#define CAIRN_PORT_KEPT(x) (x)
+#endif
+#ifndef CAIRN_PORT_FORGET
+#define CAIRN_PORT_FORGET() ((void)0)
+#endif
 #ifndef CAIRN_PORT_ADD
 #define CAIRN_PORT_ADD(a, b, sum) cairn_add_plain(a, b, sum)
 #endif
@@ -138,6 +147,16 @@ static inline uint64_t cairn_product(uint32_t a, uint32_t b) { return CAIRN_PORT
 
 /* The same of numbers with signs. */
 static inline int64_t cairn_times(int32_t a, int32_t b) { return CAIRN_PORT_TIMES(a, b); }
+
+/* sum + x / 2^shift, halves upwards; 2 <= shift <= 16. The result must fit. And the same of sum - x / 2^shift, halves of x upwards. */
+static inline int32_t cairn_add_rounded(int32_t sum, int32_t x, int shift) { return CAIRN_PORT_ADD_ROUNDED(sum, x, shift); }
+static inline int32_t cairn_less_rounded(int32_t sum, int32_t x, int shift) { return cairn_add_rounded(sum, ~x, shift); } /* ~x is -x - 1 */
+
+/* The same number, of which the compiler is not to know how it was made: it keeps this one, and not its parts to make it again. */
+static inline int32_t cairn_kept(int32_t x) { return CAIRN_PORT_KEPT(x); }
+
+/* Between two ways that read the same: the second one reads it again, so that no registers are lost to it in the first one. */
+static inline void cairn_forget(void) { CAIRN_PORT_FORGET(); }
 
 /* sum = a + b, wrapped; true if it wrapped. */
 static inline bool cairn_add_overflows(int32_t a, int32_t b, int32_t *sum) { return CAIRN_PORT_ADD(a, b, sum); }
@@ -615,8 +634,8 @@ static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return ca
 static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return cairn_mul16(a, j, 14); }
 static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return cairn_dot16(x, dx, y, dy, 15); }
 /*
- * The same of motions below CAIRN_QUIET in size, to the same bits: the products fit into 32 bits. They are for cores on which that is
- * quicker. (p / 2^(n - 1) + 1) / 2 is p / 2^n rounded, without a constant that Thumb must load.
+ * The same of motions below CAIRN_QUIET in size, to the same bits, on top of a sum or taken from it: the products fit into 32 bits. They are for
+ * cores on which that is quicker.
  */
 #if defined(__OPTIMIZE_SIZE__)
 #define CAIRN_KNOWS_QUIET 0
@@ -624,19 +643,35 @@ static inline cairn_motion cairn_fine_along(cairn_fine x, cairn_fine y, cairn_di
 #define CAIRN_KNOWS_QUIET CAIRN_PORT_ASKS
 #endif
 #define CAIRN_QUIET (1 << 15)
-static inline int32_t cairn_halved(int32_t x) { return (x + 1) >> 1; }
-static inline cairn_motion cairn_quiet_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return cairn_halved((x * dx + y * dy) >> 13); }
-static inline cairn_motion cairn_quiet_levers(cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k) { return cairn_halved((a * j + b * k) >> 12); }
-/* r at most 1: this one up to four times CAIRN_QUIET */
-static inline cairn_motion cairn_quiet_ratio(cairn_motion a, cairn_ratio r) { return cairn_halved((a * r) >> 13); }
-static inline cairn_fine cairn_quiet_share(cairn_motion a, cairn_share s)
+/* Is it below 2^15, 2^17, 2^22 units (1/64 m)? Without a constant that Thumb must load. */
+static inline bool cairn_motion_is_quiet(cairn_motion x) { return x == (int16_t)x; }
+static inline bool cairn_motion_is_fairly_quiet(cairn_motion x) { return x == (int32_t)((uint32_t)x << 14) >> 14; }
+static inline bool cairn_motion_is_calm(cairn_motion x) { return x == (int32_t)((uint32_t)x << 9) >> 9; }
+static inline cairn_motion cairn_quiet_add_along(cairn_motion sum, cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy)
 {
-    if (s == 0 || s == CAIRN_SHARE(0.5)) { return s == 0 ? 0 : a; }
-    return cairn_halved((a * (s >> 15) + ((a * (s & 32767)) >> 15)) >> 13);
+    return cairn_add_rounded(sum, x * dx + y * dy, 14);
 }
-static inline cairn_motion cairn_quiet_fine_dir(cairn_fine a, cairn_dir d) { return cairn_halved((a * d) >> 14); }
-static inline cairn_motion cairn_quiet_fine_lever(cairn_fine a, cairn_lever j) { return cairn_halved((a * j) >> 13); }
-static inline cairn_motion cairn_quiet_fine_along(cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy) { return cairn_halved((x * dx + y * dy) >> 14); }
+static inline cairn_motion cairn_quiet_add_levers(cairn_motion sum, cairn_motion a, cairn_lever j, cairn_motion b, cairn_lever k)
+{
+    return cairn_add_rounded(sum, a * j + b * k, 13);
+}
+/* r at most 1: this one up to four times CAIRN_QUIET */
+static inline cairn_motion cairn_quiet_less_ratio(cairn_motion sum, cairn_motion a, cairn_ratio r) { return cairn_less_rounded(sum, a * r, 14); }
+static inline cairn_fine cairn_quiet_share(cairn_motion a, cairn_share s) { return cairn_add_rounded(0, a * (s >> 15) + ((a * (s & 32767)) >> 15), 14); }
+static inline cairn_motion cairn_quiet_half_dir(cairn_motion a, cairn_dir d) { return cairn_add_rounded(0, a * d, 15); }
+static inline cairn_motion cairn_quiet_half_lever(cairn_motion a, cairn_lever j) { return cairn_add_rounded(0, a * j, 14); }
+static inline cairn_motion cairn_quiet_half_along(cairn_motion x, cairn_motion y, cairn_dir dx, cairn_dir dy) { return cairn_add_rounded(0, x * dx + y * dy, 15); }
+static inline cairn_motion cairn_quiet_add_fine_dir(cairn_motion sum, cairn_fine a, cairn_dir d) { return cairn_add_rounded(sum, a * d, 15); }
+static inline cairn_motion cairn_quiet_less_fine_dir(cairn_motion sum, cairn_fine a, cairn_dir d) { return cairn_less_rounded(sum, a * d, 15); }
+static inline cairn_motion cairn_quiet_add_fine_lever(cairn_motion sum, cairn_fine a, cairn_lever j) { return cairn_add_rounded(sum, a * j, 14); }
+static inline cairn_motion cairn_quiet_add_fine_along(cairn_motion sum, cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy)
+{
+    return cairn_add_rounded(sum, x * dx + y * dy, 15);
+}
+static inline cairn_motion cairn_quiet_less_fine_along(cairn_motion sum, cairn_fine x, cairn_fine y, cairn_dir dx, cairn_dir dy)
+{
+    return cairn_less_rounded(sum, x * dx + y * dy, 15);
+}
 /* The share with what was cut off before added, and what is cut off now kept. */
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {
@@ -647,8 +682,8 @@ static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_shar
 }
 /* The same where |a| is at most 2^20 units and r at most 1/8: one product. */
 static inline cairn_motion cairn_motion_ratio_short(cairn_motion a, cairn_ratio r) { return (a * r + 8192) >> 14; }
-/* a f, or a little less: cheap; 0 <= a, 0 <= f <= 1 */
-static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return cairn_mul16(a, (int16_t)(f >> 6), 14); }
+/* a f, or less by up to 2^-18 and a 1024th of a: cheap; 0 <= a < 8, 0 <= f <= 1 */
+static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return (a >> 10) * (f >> 10); }
 /* a times a coefficient; saturates. At most 1 is the common case, and a third of the cost. */
 static inline cairn_motion cairn_motion_factor(cairn_motion a, cairn_factor f)
 {

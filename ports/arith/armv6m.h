@@ -15,12 +15,16 @@
 #define CAIRN_PORT_DOT32(a, b, c, d, shift) cairn_armv6m_dot32(a, b, c, d, shift)
 #define CAIRN_PORT_PRODUCT(a, b) cairn_armv6m_product(a, b)
 #define CAIRN_PORT_TIMES(a, b) cairn_armv6m_times(a, b)
+#define CAIRN_PORT_FORGET() CAIRN_ARMV6M_FORGET()
+#define CAIRN_PORT_KEPT(x) cairn_armv6m_kept(x)
+#define CAIRN_PORT_ADD_ROUNDED(sum, x, shift) cairn_armv6m_round((uint32_t)(sum), x, shift)
 
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
 #define CAIRN_ARMV6M_ASM 1
 #endif
 
 #ifdef CAIRN_ARMV6M_ASM
+#define CAIRN_ARMV6M_FORGET() __asm__ volatile("" : : : "memory")
 /* Also at -Os: a call would cost more than the shorter ones themselves. */
 #define CAIRN_ARMV6M_INLINE static inline __attribute__((always_inline))
 
@@ -31,6 +35,12 @@ CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_low(int32_t x)
     if (__builtin_constant_p(x)) { return (uint16_t)x; }
     __asm__("uxth %0, %1" : "=l"(low) : "l"(x));
     return low;
+}
+
+CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_kept(int32_t x)
+{
+    __asm__("" : "+l"(x));
+    return x;
 }
 
 /* high + low / 2^shift, halves upwards; 1 <= shift <= 16 */
@@ -101,8 +111,10 @@ static inline int32_t cairn_armv6m_dot32(int32_t a, int32_t b, int32_t c, int32_
 
 #else
 #define CAIRN_ARMV6M_INLINE static inline
+#define CAIRN_ARMV6M_FORGET() ((void)0)
 
 CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_low(int32_t x) { return (uint16_t)x; }
+CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_kept(int32_t x) { return x; }
 
 CAIRN_ARMV6M_INLINE int32_t cairn_armv6m_round(uint32_t high, int32_t low, int shift)
 {

@@ -1147,18 +1147,53 @@ static int32_t quiet(int32_t i, int32_t limit) { return i < 8 ? (i & 1 ? limit :
 void test_products_of_quiet_motions_are_those_of_any(void)
 {
     for (int32_t i = 0; i < ROUNDS; i++) {
-        int32_t share = i < 8 ? ONE : any() & (ONE - 1), a = quiet(i, CAIRN_QUIET - 1), c = quiet(i >> 1, CAIRN_QUIET - 1), half = a / 2, other = c / 2;
+        int32_t share = i < 8 ? ONE : any() & (ONE - 1), sum = any() / 4;
+        int32_t a = quiet(i, CAIRN_QUIET - 1), c = quiet(i >> 1, CAIRN_QUIET - 1), half = a / 2, other = c / 2;
         int16_t j = (int16_t)quiet(i, 16384), k = (int16_t)quiet(i >> 1, 16384), x = (int16_t)(j - j / 4), y = (int16_t)(k / 2);
-        TEST_ASSERT_EQUAL_INT32(cairn_motion_along(a, c, x, y), cairn_quiet_along(a, c, x, y));
-        TEST_ASSERT_EQUAL_INT32(cairn_motion_levers(a, j, c, k), cairn_quiet_levers(a, j, c, k));
-        TEST_ASSERT_EQUAL_INT32(cairn_motion_ratio(3 * a, k), cairn_quiet_ratio(3 * a, k));
+        TEST_ASSERT_EQUAL_INT32(sum + cairn_motion_along(a, c, x, y), cairn_quiet_add_along(sum, a, c, x, y));
+        TEST_ASSERT_EQUAL_INT32(sum + cairn_motion_levers(a, j, c, k), cairn_quiet_add_levers(sum, a, j, c, k));
+        TEST_ASSERT_EQUAL_INT32(sum - cairn_motion_ratio(3 * a, k), cairn_quiet_less_ratio(sum, 3 * a, k));
         TEST_ASSERT_EQUAL_INT32(cairn_fine_share(a, share), cairn_quiet_share(a, share));
-        TEST_ASSERT_EQUAL_INT32(cairn_fine_dir(a, j), cairn_quiet_fine_dir(a, j));
-        TEST_ASSERT_EQUAL_INT32(cairn_fine_lever(2 * a, j), cairn_quiet_fine_lever(2 * a, j));
-        TEST_ASSERT_EQUAL_INT32(cairn_fine_along(2 * half, 2 * other, x, y), cairn_quiet_fine_along(2 * half, 2 * other, x, y));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_half_dir(a, j), cairn_quiet_half_dir(a, j));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_half_lever(a, j), cairn_quiet_half_lever(a, j));
+        TEST_ASSERT_EQUAL_INT32(cairn_motion_half_along(a, c, x, y), cairn_quiet_half_along(a, c, x, y));
+        TEST_ASSERT_EQUAL_INT32(sum + cairn_fine_dir(2 * a, j), cairn_quiet_add_fine_dir(sum, 2 * a, j));
+        TEST_ASSERT_EQUAL_INT32(sum - cairn_fine_dir(2 * a, j), cairn_quiet_less_fine_dir(sum, 2 * a, j));
+        TEST_ASSERT_EQUAL_INT32(sum + cairn_fine_lever(2 * a, j), cairn_quiet_add_fine_lever(sum, 2 * a, j));
+        TEST_ASSERT_EQUAL_INT32(sum + cairn_fine_along(2 * half, 2 * other, x, y), cairn_quiet_add_fine_along(sum, 2 * half, 2 * other, x, y));
+        TEST_ASSERT_EQUAL_INT32(sum - cairn_fine_along(2 * half, 2 * other, x, y), cairn_quiet_less_fine_along(sum, 2 * half, 2 * other, x, y));
     }
     TEST_ASSERT_EQUAL_INT32(0, cairn_quiet_share(1234, 0));
     TEST_ASSERT_EQUAL_INT32(1235, cairn_quiet_share(1235, CAIRN_SHARE(0.5)));
+}
+
+static void expect_below(bool (*is_below)(cairn_motion x), int32_t limit)
+{
+    TEST_ASSERT_TRUE(is_below(0));
+    TEST_ASSERT_TRUE(is_below(limit - 1));
+    TEST_ASSERT_TRUE(is_below(-limit));
+    TEST_ASSERT_FALSE(is_below(limit));
+    TEST_ASSERT_FALSE(is_below(-limit - 1));
+    TEST_ASSERT_FALSE(is_below(INT32_MAX));
+    TEST_ASSERT_FALSE(is_below(INT32_MIN));
+}
+
+void test_quiet_and_calm_motions_are_told_from_others(void)
+{
+    expect_below(cairn_motion_is_quiet, CAIRN_QUIET);
+    expect_below(cairn_motion_is_fairly_quiet, 4 * CAIRN_QUIET);
+    expect_below(cairn_motion_is_calm, CAIRN_MOTION(1.0 / 64));
+}
+
+void test_share_of_the_cone_that_is_cheap_to_find_is_none_beyond_it(void)
+{
+    for (int32_t i = 0; i < ROUNDS; i++) {
+        int32_t pressure = any() & INT32_MAX, friction = any() & (CAIRN_FACTOR(1) - 1), below;
+        pressure = pressure < CAIRN_MOTION(4.98) ? pressure : 0;
+        below = cairn_motion_factor_below(pressure, friction);
+        TEST_ASSERT_TRUE(below <= cairn_motion_factor(pressure, friction));
+        expect_within(1024 + (pressure >> 10), cairn_motion_factor(pressure, friction), below, pressure, friction);
+    }
 }
 
 void test_shifted_motions_are_rounded_down(void)

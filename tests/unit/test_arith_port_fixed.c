@@ -26,6 +26,16 @@ static int32_t mul16_by(int32_t a, int32_t b, int shift)
     }
 }
 
+static int32_t add_rounded_by(int32_t sum, int32_t x, int shift)
+{
+    switch (shift) {
+#define CASE(n) case n: return cairn_add_rounded(sum, x, n);
+        SHIFTS_TO_16(CASE)
+#undef CASE
+    default: return 0;
+    }
+}
+
 static int32_t mul32_by(int32_t a, int32_t b, int shift)
 {
     switch (shift) {
@@ -98,6 +108,18 @@ void test_mul16_gives_the_bits_of_its_definition(void)
         }
     }
     TEST_ASSERT_GREATER_THAN_UINT32(ROUNDS / 2, compared);
+}
+
+void test_add_rounded_gives_the_bits_of_its_definition(void)
+{
+    arith_random random = arith_random_seeded(29);
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        arguments x = choose(&random, i, 16);
+        int32_t sum = x.a / 2, term;
+        x.shift = x.shift < 2 ? 2 : x.shift;
+        term = (int32_t)(((int64_t)x.b + ((int64_t)1 << (x.shift - 1))) >> x.shift);
+        expect("add_rounded", x, sum + term, add_rounded_by(sum, x.b, x.shift));
+    }
 }
 
 void test_mul32_gives_the_bits_of_its_definition(void)
