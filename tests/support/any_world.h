@@ -194,6 +194,9 @@ static const cairn_body_model *mobile_model(void)
 
 /* ---- the world ---- */
 
+#define FAR CAIRN_F(15900)
+static cairn_real within(cairn_real x, cairn_real limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+
 static void choose_manner(uint32_t seed)
 {
     static const cairn_real units[] = { CAIRN_F(1), CAIRN_F(1), CAIRN_F(1), CAIRN_F(0.02), CAIRN_F(0.1), CAIRN_F(0.4), CAIRN_F(8), CAIRN_F(50) };
@@ -205,7 +208,8 @@ static void choose_manner(uint32_t seed)
     any.speed = one_in(3) ? CAIRN_F(300) : one_in(2) ? CAIRN_F(20) : CAIRN_F(1);
     any.longest = one_in(2) ? 1 : one_in(2) ? 8 : 80;
     any.calls = any.longest == 80 ? 30 : 120;
-    any.origin = one_in(2) ? cairn_vec2_of(0, 0) : vector(CAIRN_F(15900));
+    any.origin = one_in(2) ? cairn_vec2_of(0, 0) : vector(FAR);
+    any.origin = cairn_vec2_of(within(any.origin.x, FAR), within(any.origin.y, FAR));
 }
 
 static void find_pairs_by_tree(void)
