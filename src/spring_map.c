@@ -102,7 +102,7 @@ static void map_implicitly(cairn_spring *spring, cairn_wide b, cairn_wide d)
 
 static cairn_wide bounded(cairn_wide stiffness) { return cairn_wide_less(STIFFNESS_MAX, stiffness) ? STIFFNESS_MAX : stiffness; }
 
-static bool is_alone(const cairn_body *a, const cairn_body *b)
+bool cairn_spring_is_alone(const cairn_body *a, const cairn_body *b)
 {
     return !(cairn_body_is_dynamic(a) && (a->flags & CAIRN_BODY_SPRINGS)) && !(cairn_body_is_dynamic(b) && (b->flags & CAIRN_BODY_SPRINGS));
 }
@@ -114,7 +114,7 @@ bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const c
     const cairn_body *model_a = &world->bodies[model->a], *model_b = &world->bodies[model->b];
     if (!(spring->flags & model->flags & CAIRN_SPRING_PLAIN) || spring->stiffness != model->stiffness || spring->damping != model->damping
         || a->model != model_a->model || b->model != model_b->model
-        || is_alone(a, b) != is_alone(model_a, model_b)) {
+        || cairn_spring_is_alone(a, b) != cairn_spring_is_alone(model_a, model_b)) {
         return false;
     }
     spring->share_a = model->share_a;
@@ -124,6 +124,15 @@ bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const c
     spring->position_gain = model->position_gain;
     spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_EXACT) | (model->flags & CAIRN_SPRING_EXACT));
     return true;
+}
+
+void cairn_spring_map_pin(const cairn_world *world, cairn_spring *pin)
+{
+    const cairn_body *a = &world->bodies[pin->a], *b = &world->bodies[pin->b];
+    cairn_wide over_e = cairn_wide_from_factor(stiffening(pin, a, b, pin->lever_a, pin->lever_b));
+    cairn_wide stiffness = cairn_wide_mul(cairn_wide_unpack(pin->made.pin.stiffness), over_e);
+    cairn_wide damping = cairn_wide_mul(cairn_wide_unpack(pin->made.pin.damping), over_e);
+    map_implicitly(pin, bounded(stiffness), bounded(damping));
 }
 
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
@@ -136,6 +145,13 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
     cairn_wide mass = cairn_bodies_reduced_mass(a, b), h = world->substep;
     cairn_wide stiffness = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->stiffness), cairn_wide_mul(h, h)), mass);
     cairn_wide damping = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->damping), h), mass);
+    if (cairn_spring_is_pin(spring)) {
+        spring->made.pin.stiffness = cairn_wide_pack(stiffness);
+        spring->made.pin.damping = cairn_wide_pack(damping);
+        spring->made.pin.strain = 0;
+        cairn_spring_map_pin(world, spring);
+        return;
+    }
     if (cairn_spring_is_off_centre(spring)) {
         cairn_reach r;
         cairn_spring_measure(spring, a, b, &r);
@@ -143,7 +159,7 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
         stiffness = cairn_wide_mul(stiffness, over_e);
         damping = cairn_wide_mul(damping, over_e);
     }
-    bool alone = is_alone(a, b);
+    bool alone = cairn_spring_is_alone(a, b);
     bool soft = cairn_wide_less(stiffness, cairn_wide_inverse(cairn_wide_from_int(5)))
              && cairn_wide_less(damping, cairn_wide_from_int(16));
     if (alone && soft && !cairn_wide_is_zero(stiffness)) {

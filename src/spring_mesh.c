@@ -340,7 +340,7 @@ static void make(cairn_world *world)
     for (uint16_t i = 0; i < pool->end; i++) {
         cairn_spring *spring = &pool->springs[i];
         spring->flags &= (uint16_t)~CAIRN_SPRING_MESHED;
-        if (cairn_spring_is_used(spring) && (spring->flags & CAIRN_SPRING_ENTANGLED) && add_part(world, mesh, i)) {
+        if (cairn_spring_is_used(spring) && (spring->flags & (CAIRN_SPRING_ENTANGLED | CAIRN_SPRING_PINNED)) == CAIRN_SPRING_ENTANGLED && add_part(world, mesh, i)) {
             spring->flags |= CAIRN_SPRING_MESHED;
         }
     }

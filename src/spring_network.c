@@ -70,7 +70,7 @@ void cairn_spring_networks(cairn_world *world)
     for (uint16_t i = 0; i < pool->end; i++) {
         pool->springs[i].network = i;
         pool->springs[i].across = CAIRN_NONE;
-        pool->springs[i].flags &= (uint16_t)~(CAIRN_SPRING_ENTANGLED | CAIRN_SPRING_MESHED);
+        pool->springs[i].flags &= (uint16_t)~(CAIRN_SPRING_ENTANGLED | CAIRN_SPRING_MESHED | CAIRN_SPRING_PINNED);
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         if (cairn_spring_is_used(&pool->springs[i])) {
@@ -80,6 +80,10 @@ void cairn_spring_networks(cairn_world *world)
     }
     for (uint16_t i = 0; i < pool->end; i++) {
         pool->springs[i].network = root_of(pool, i);
+        if (cairn_spring_is_pin(&pool->springs[i])) { /* its two axes pull along one another by the bodies' turning */
+            pool->springs[pool->springs[i].network].flags |= CAIRN_SPRING_PINNED;
+            pool->entangled = true;
+        }
     }
 }
 

@@ -47,7 +47,7 @@ static void turn_round(cairn_spring *spring)
     spring->flags ^= CAIRN_SPRING_TURNED;
 }
 
-/* The unused spring that goes on most straight from the b of a spring, or back from its a. CAIRN_NONE if there is none. */
+/* The unused spring that goes on most straight from the b of a spring, or back from its a, or any pin from a pin. CAIRN_NONE if there is none. */
 static uint16_t continuation(cairn_world *world, const cairn_spring *spring, bool at_end)
 {
     cairn_spring_pool *pool = world->springs;
@@ -58,11 +58,11 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, boo
     }
     for (uint16_t i = cairn_spring_first_at(pool, body); i != CAIRN_NONE; i = cairn_spring_next_at(pool, body, i)) {
         const cairn_spring *other = &pool->springs[i];
-        if (other->flags & CAIRN_SPRING_IN_PATH) {
+        if ((other->flags & CAIRN_SPRING_IN_PATH) || cairn_spring_is_pin(spring) != cairn_spring_is_pin(other)) {
             continue;
         }
         cairn_unit c = cairn_spring_cosine(spring, other);
-        c = (at_end ? other->a : other->b) == body ? c : -c;
+        c = cairn_spring_is_pin(spring) ? STRAIGHT + 1 : (at_end ? other->a : other->b) == body ? c : -c;
         if (c > straightest) {
             straightest = c;
             best = i;
@@ -177,6 +177,9 @@ void cairn_path_factorise(cairn_world *world, cairn_spring *first)
 
 /* ---- the sub-step ---- */
 
+/* A pin's axis, in its lag. */
+enum { LEVEL, UPRIGHT, ALONG };
+
 /* x more, within the limit; the velocity before goes along, so that their difference, which is repeated, stays as it is. */
 static inline void accelerate(cairn_motion *v, cairn_motion *u, cairn_motion x, cairn_motion limit)
 {
@@ -207,10 +210,22 @@ cairn_motion cairn_spring_speed(const cairn_spring *spring, const cairn_body *a,
 }
 
 /* D u + B C* */
-static cairn_motion demand(const cairn_world *world, cairn_spring *spring, cairn_turn *turned)
+static cairn_motion demand(const cairn_world *world, cairn_spring *spring, bool again, cairn_turn *turned)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
-    cairn_offset length = cairn_spring_aim(spring, a, b, false, turned);
+    cairn_offset length;
+    bool on_axis = cairn_spring_is_pin(spring) && spring->lag != ALONG, stays = again && spring->lag == UPRIGHT; /* the axis of the sweep before */
+    length = on_axis ? cairn_spring_aim_along(spring, a, b, spring->lag == UPRIGHT, stays) : cairn_spring_aim(spring, a, b, false, turned);
+    if (cairn_spring_is_pin(spring)) {
+        *turned = 0;
+        if (!on_axis) {
+            spring->made.pin.strain = cairn_motion_clamp(cairn_motion_from_offset(length), CAIRN_SPRING_DEMAND);
+        }
+        if (!stays) {
+            cairn_spring_map_pin(world, spring);
+            *turned = 2 * STALE; /* its factors are of another axis */
+        }
+    }
     cairn_motion demand = cairn_motion_clamp(cairn_motion_from_offset_wide(length - spring->rest_length, spring->position_gain), CAIRN_SPRING_DEMAND);
     demand = cairn_motion_add(demand, cairn_motion_share(cairn_spring_speed(spring, a, b), spring->velocity_gain));
     return cairn_motion_clamp(cairn_motion_factor(demand, cairn_spring_mass(world, spring)), CAIRN_SPRING_DEMAND);
@@ -222,7 +237,7 @@ static cairn_turn ask(cairn_world *world, cairn_spring *spring, bool again)
     cairn_turn most = 0;
     for (; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
         cairn_turn turned;
-        cairn_motion asked = demand(world, spring, &turned);
+        cairn_motion asked = demand(world, spring, again, &turned);
         spring->pulled = again ? cairn_spring_ask_more(spring, asked) : asked;
         most = turned > most ? turned : most;
     }
@@ -275,11 +290,89 @@ static void apply(cairn_world *world, const cairn_spring *first, cairn_spring *s
     }
 }
 
-void cairn_path_solve(cairn_world *world, cairn_spring *first, bool again)
+static void solve(cairn_world *world, cairn_spring *first, bool again)
 {
     first->turned += ask(world, first, again);
     if (first->turned > STALE) {
         cairn_path_factorise(world, first);
     }
     apply(world, first, eliminate(world->springs, first));
+}
+
+/* The pins of a path pull along this axis from now on. What each has pulled with along the other one is kept for another sweep. */
+static void turn_pins(const cairn_world *world, cairn_spring *first, uint8_t axis)
+{
+    for (cairn_spring *pin = first; pin != NULL; pin = cairn_spring_behind(world->springs, pin)) {
+        if (pin->lag == LEVEL) {
+            pin->origin_x = pin->pulled;
+        } else if (pin->lag == UPRIGHT) {
+            pin->origin_y = pin->pulled;
+        }
+        pin->pulled = axis == LEVEL ? pin->origin_x : axis == UPRIGHT ? pin->origin_y : pin->pulled;
+        pin->lag = axis;
+    }
+}
+
+/*
+ * A pull at an end swings the body as a pendulum, by w^2 h^2 = (pull / radius of gyration) (arm / radius of gyration). One axis after the other follows
+ * that while it is below about 4; the bound has 3 for the arm. The same of two points so far apart.
+ */
+#define SWINGS CAIRN_MOTION(4.0 / 3)
+
+static bool is_swung(const cairn_body *body, cairn_motion pull)
+{
+    return cairn_body_is_dynamic(body) && cairn_body_can_turn(body) && cairn_motion_scale(pull, cairn_body_inverse_gyration(body)) > SWINGS;
+}
+
+static bool are_torn(const cairn_world *world, const cairn_spring *pin)
+{
+    while (pin != NULL && !is_swung(&world->bodies[pin->a], pin->made.pin.strain) && !is_swung(&world->bodies[pin->b], pin->made.pin.strain)) {
+        pin = cairn_spring_behind(world->springs, pin);
+    }
+    return pin != NULL;
+}
+
+static cairn_motion larger(cairn_motion strain, cairn_motion half)
+{
+    cairn_motion pull = half < 0 ? -2 * half : 2 * half; /* at most CAIRN_SPRING_IMPULSE */
+    return strain > pull ? strain : pull;
+}
+
+/* After a first sweep: how much pulls at the pins of a path. */
+static void strain_pins(const cairn_world *world, cairn_spring *pin)
+{
+    for (; pin != NULL; pin = cairn_spring_behind(world->springs, pin)) {
+        pin->made.pin.strain = larger(larger(pin->made.pin.strain, pin->pulled), pin->lag == ALONG ? 0 : pin->origin_x);
+    }
+}
+
+/*
+ * Pins, springs of no rest length, are solved along x and then along y: F = -k (L - L0) u is linear where L0 is 0, and each axis is an equation of
+ * its own. Along u, which looks anywhere where two points nearly meet, one sub-step holds them in one direction and the next one in another: planks
+ * that were pinned together never came to rest. In another sweep the axes come in the opposite order, as paths do. Pins that are torn apart, or
+ * pull so hard that bodies swing by them in a sub-step, pull along u.
+ */
+static void solve_pins(cairn_world *world, cairn_spring *first, bool again)
+{
+    if (again ? first->lag == ALONG : are_torn(world, first)) {
+        turn_pins(world, first, ALONG);
+        solve(world, first, again);
+    } else {
+        turn_pins(world, first, again ? UPRIGHT : LEVEL);
+        solve(world, first, again);
+        turn_pins(world, first, again ? LEVEL : UPRIGHT);
+        solve(world, first, again);
+    }
+    if (!again) {
+        strain_pins(world, first);
+    }
+}
+
+void cairn_path_solve(cairn_world *world, cairn_spring *first, bool again)
+{
+    if (cairn_spring_is_pin(first)) {
+        solve_pins(world, first, again);
+    } else {
+        solve(world, first, again);
+    }
 }

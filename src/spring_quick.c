@@ -63,12 +63,12 @@ static bool make_frame(const cairn_world *world, cairn_spring *spring)
     cairn_unit x, y;
     leave_frame(spring);
     cairn_dir from_x = spring->frame.x, from_y = spring->frame.y;
-    spring->frame_x = b->x - a->x + cairn_real_below_motion(to.x) - cairn_real_below_motion(from.x);
-    spring->frame_y = b->y - a->y + cairn_real_below_motion(to.y) - cairn_real_below_motion(from.y);
-    if (!cairn_real_is_within(spring->frame_x, CAIRN_F(16)) || !cairn_real_is_within(spring->frame_y, CAIRN_F(16))) {
+    spring->made.frame.x = b->x - a->x + cairn_real_below_motion(to.x) - cairn_real_below_motion(from.x);
+    spring->made.frame.y = b->y - a->y + cairn_real_below_motion(to.y) - cairn_real_below_motion(from.y);
+    if (!cairn_real_is_within(spring->made.frame.x, CAIRN_F(16)) || !cairn_real_is_within(spring->made.frame.y, CAIRN_F(16))) {
         return false;
     }
-    cairn_offset length = cairn_unit_along(cairn_offset_from_real(spring->frame_x), cairn_offset_from_real(spring->frame_y), &x, &y);
+    cairn_offset length = cairn_unit_along(cairn_offset_from_real(spring->made.frame.x), cairn_offset_from_real(spring->made.frame.y), &x, &y);
     cairn_frame frame;
     if (!cairn_frame_set(&frame, x, y, length)) {
         return false;
@@ -86,7 +86,7 @@ static bool make_frame(const cairn_world *world, cairn_spring *spring)
 /* Where the step began, as seen from where the frame was made; false if that is too far. */
 static inline bool follow(cairn_spring *spring, const cairn_body *a, const cairn_body *b)
 {
-    cairn_real x = b->x - a->x - spring->frame_x, y = b->y - a->y - spring->frame_y;
+    cairn_real x = b->x - a->x - spring->made.frame.x, y = b->y - a->y - spring->made.frame.y;
     spring->origin_x = cairn_motion_between(x, a->x_residue, b->x_residue);
     spring->origin_y = cairn_motion_between(y, a->y_residue, b->y_residue);
     return cairn_frame_holds_well(&spring->frame, x, y);

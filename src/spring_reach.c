@@ -65,6 +65,32 @@ void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_b
     }
 }
 
+/*
+ * Both bodies are pulled at the point half way between the anchors, so that no pull turns them both: along one axis it is not in line with the way
+ * from anchor to anchor. What does not move may be pulled anywhere.
+ */
+cairn_offset cairn_spring_aim_along(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool upright, bool stays)
+{
+    cairn_reach r;
+    cairn_offset2 p = reach_of(spring, a, b, true, &r);
+    cairn_offset gap = upright ? p.y : p.x;
+    if (stays) {
+        return gap;
+    }
+    cairn_offset apart = cairn_offset_add(p.x < 0 ? -p.x : p.x, p.y < 0 ? -p.y : p.y);
+    spring->made.pin.strain = cairn_motion_clamp(cairn_motion_from_offset(apart), CAIRN_SPRING_DEMAND);
+    if (cairn_body_is_dynamic(a) && cairn_body_is_dynamic(b)) {
+        r.arm_a.x += cairn_offset_half(p.x);
+        r.arm_a.y += cairn_offset_half(p.y);
+        r.arm_b.x -= cairn_offset_half(p.x);
+        r.arm_b.y -= cairn_offset_half(p.y);
+    }
+    r.x = upright ? 0 : CAIRN_UNIT(1);
+    r.y = upright ? CAIRN_UNIT(1) : 0;
+    cairn_spring_point(spring, a, b, &r);
+    return gap;
+}
+
 /* The greater size of the two, at most a quarter. */
 static cairn_unit greater(cairn_unit a, cairn_unit b)
 {

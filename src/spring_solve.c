@@ -40,7 +40,18 @@ static bool leads(const cairn_spring_pool *pool, const cairn_spring *spring)
 static bool is_plain(const cairn_world *world, const cairn_spring *spring)
 {
     unsigned flags = world->bodies[spring->a].flags | world->bodies[spring->b].flags;
-    return !(flags & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring);
+    return !(flags & CAIRN_BODY_FIXED_POSITION) && !cairn_spring_is_off_centre(spring) && !cairn_spring_is_pin(spring);
+}
+
+/* From centre to centre, a spring of no rest length alone has the exact map: what is not along it needs no pull. */
+static void find_pins(const cairn_world *world)
+{
+    const cairn_spring_pool *pool = world->springs;
+    for (cairn_spring *spring = pool->springs; spring != pool->springs + pool->end; spring++) {
+        bool pin = cairn_spring_is_used(spring) && spring->rest_length == 0
+                && (cairn_spring_is_off_centre(spring) || !cairn_spring_is_alone(&world->bodies[spring->a], &world->bodies[spring->b]));
+        spring->flags = (uint16_t)((spring->flags & ~(unsigned)CAIRN_SPRING_PIN) | cairn_flag_if(pin, CAIRN_SPRING_PIN));
+    }
 }
 
 /* When springs have changed: which belong together, and what a sub-step makes of each. */
@@ -49,6 +60,9 @@ static void sort(cairn_world *world)
     cairn_spring_pool *pool = world->springs;
     const cairn_spring *last = NULL;
     count_ends(world);
+    if (CAIRN_WITH_PINS) {
+        find_pins(world);
+    }
     cairn_spring_find_ends(pool);
     cairn_spring_paths(world);
     cairn_spring_networks(world);
@@ -67,6 +81,9 @@ static void sort(cairn_world *world)
 /* What of a path's springs and equations depends on where they are. */
 static void prepare_path(cairn_world *world, cairn_spring *first, bool changed)
 {
+    if (cairn_spring_is_pin(first)) {
+        return; /* in each sub-step anew */
+    }
     if (changed) {
         cairn_path_look(world, first);
     }
@@ -158,7 +175,7 @@ static void solve_path(cairn_world *world, cairn_spring *first, bool again)
 }
 
 /*
- * Path after path; entangled networks a second time, in the opposite order. In one order only, what a sweep leaves undone
+ * Path after path; entangled networks and those with pins a second time, in the opposite order. In one order only, what a sweep leaves undone
  * may turn the error as well as shrink it, and feeds oscillations (a wheel of 1e5 N/m flies apart). There and back,
  * the sweep is symmetric: in the stiff limit v' = T (v + x) - x, x' = x + v' with T's eigenvalues t real, in [0, 1], so
  * that each mode changes by a factor of modulus sqrt(t): bounded for any stiffness and shape.
@@ -182,7 +199,7 @@ void cairn_springs_substep(cairn_world *world, int substep)
     }
     for (uint16_t i = pool->end; pool->entangled && i > 0; i--) {
         cairn_spring *spring = &pool->springs[i - 1];
-        if (leads(pool, spring) && (pool->springs[spring->network].flags & CAIRN_SPRING_ENTANGLED) && cairn_spring_is_active(world, spring)) {
+        if (leads(pool, spring) && (pool->springs[spring->network].flags & (CAIRN_SPRING_ENTANGLED | CAIRN_SPRING_PINNED)) && cairn_spring_is_active(world, spring)) {
             solve_path(world, spring, true);
         }
     }

@@ -23,10 +23,13 @@ enum {
     CAIRN_SPRING_PLAIN = 1024,    /* from centre to centre of bodies that may shift or are at rest */
     CAIRN_SPRING_SIMPLE = 2048,   /* of a path's first: all of them are plain */
     CAIRN_SPRING_FRAMED = 4096,   /* of a path's first: they have frames, see spring_quick.c */
-    CAIRN_SPRING_OFF_CENTRE = 8192 /* an anchor of it is */
+    CAIRN_SPRING_OFF_CENTRE = 8192, /* an anchor of it is */
+    CAIRN_SPRING_PIN = 16384,       /* has no rest length: holds two points together, see cairn_path_solve() */
+    CAIRN_SPRING_PINNED = 32768     /* of a network's first: some of its springs are pins */
 };
 
 static inline bool cairn_spring_is_used(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_USED) != 0; }
+static inline bool cairn_spring_is_pin(const cairn_spring *spring) { return CAIRN_WITH_PINS && (spring->flags & CAIRN_SPRING_PIN) != 0; }
 static inline bool cairn_spring_is_off_centre(const cairn_spring *spring) { return (spring->flags & CAIRN_SPRING_OFF_CENTRE) != 0; }
 static inline bool cairn_body_is_free_to_shift(const cairn_body *body)
 {
@@ -83,6 +86,9 @@ void cairn_spring_point(cairn_spring *spring, const cairn_body *a, const cairn_b
  */
 cairn_offset cairn_spring_aim(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool ahead, cairn_turn *turned);
 
+/* Of a pin, along the world's x axis or upright: how far apart the two points will be; its levers, unless they are to stay. */
+cairn_offset cairn_spring_aim_along(cairn_spring *spring, const cairn_body *a, const cairn_body *b, bool upright, bool stays);
+
 /* A spring that turns faster than this in a sub-step, rad. */
 #define CAIRN_SPRING_FAST CAIRN_TURN(0.03)
 
@@ -99,6 +105,10 @@ static inline bool cairn_spring_is_taut(const cairn_spring *spring, cairn_offset
 
 /* ---- spring_map.c ---- */
 void cairn_spring_map(const cairn_world *world, cairn_spring *spring);
+/* Of a pin, by the levers of its axis. */
+void cairn_spring_map_pin(const cairn_world *world, cairn_spring *pin);
+/* Does no other spring end at either of them, as far as they move? */
+bool cairn_spring_is_alone(const cairn_body *a, const cairn_body *b);
 /* Take over the map of another spring, if it is the same. */
 bool cairn_spring_map_as(const cairn_world *world, cairn_spring *spring, const cairn_spring *model);
 /* e: the effective mass over the reduced one */

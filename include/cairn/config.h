@@ -78,6 +78,10 @@
 #ifndef CAIRN_WITH_GIANTS
 #define CAIRN_WITH_GIANTS 1
 #endif
+/* Springs of no rest length, 1 KB: without, they pull along the line between two points that nearly meet, and jitter. */
+#ifndef CAIRN_WITH_PINS
+#define CAIRN_WITH_PINS 1
+#endif
 /* Bodies kept sorted, to find pairs. Without, each is held against each: to the same bits, and for 16 bodies as quickly, but for 100 not. */
 #ifndef CAIRN_WITH_SORT
 #define CAIRN_WITH_SORT 1
@@ -122,7 +126,7 @@
     || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD) || !CAIRN_IS_FLAG(CAIRN_WITH_POLYGONS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_FRICTION) || !CAIRN_IS_FLAG(CAIRN_WITH_TURNING) || !CAIRN_IS_FLAG(CAIRN_WITH_SLOPES) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_MASSES) || !CAIRN_IS_FLAG(CAIRN_WITH_SETTINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_GIANTS) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_SORT) || !CAIRN_IS_FLAG(CAIRN_WITH_GRAVITY_SCALE)
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SORT) || !CAIRN_IS_FLAG(CAIRN_WITH_GRAVITY_SCALE) || !CAIRN_IS_FLAG(CAIRN_WITH_PINS)
 #error "each CAIRN_WITH_... must be 0 or 1"
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2

@@ -2,6 +2,7 @@
  * Springs: Hooke's law with damping along the line between two anchors, F = -k (L - L0) u - c (v . u) u.
  * Bodies farther apart than 500 m on an axis are pulled as if they were so near.
  * Any stiffness stays bounded: stiff springs are solved implicitly, a lone spring by the exact map of the oscillator.
+ * A spring of no rest length is a pin: it pulls and damps along both axes, and stiff ones hold two points together, as a hinge (spring_path.c).
  * Networks held in shape by diagonals hang as statics say, at any stiffness, with cairn_meshes_enable (spring_mesh.h).
  */
 #ifndef CAIRN_SPRING_H
@@ -21,7 +22,7 @@ typedef struct cairn_spring_id {
 typedef struct cairn_spring_def {
     cairn_body_id a, b;
     cairn_vec2 anchor_a, anchor_b; /* in the frames of the bodies, m; each within 125 along x and y */
-    cairn_real rest_length;        /* m, 0 to 500; negative: the distance of the anchors now */
+    cairn_real rest_length;        /* m, 0 to 500; 0: a pin; negative: the distance of the anchors now */
     cairn_wide stiffness;          /* N/m, 0 to 1e9 */
     cairn_wide damping;            /* N s/m, 0 to 1e9 */
     bool no_contact;               /* the two bodies do not collide with one another */
@@ -48,7 +49,15 @@ typedef struct cairn_spring {
     cairn_stretch elongation;           /* where the frame was made */
     cairn_motion pulled;                /* half of what it has pulled with; during a sweep what the sweep needs */
     cairn_share share_a, share_b;
-    cairn_real frame_x, frame_y;        /* from a to b where the frame was made */
+    union {
+        struct {
+            cairn_real x, y;            /* from a to b where the frame was made */
+        } frame;
+        struct {
+            cairn_packed stiffness, damping; /* of a pin, in the units of a sub-step: b e and d e of spring_map.c */
+            cairn_motion strain;             /* how far apart its points were in the last sub-step, or its pull, if that is more */
+        } pin;
+    } made;
     cairn_offset rest_length;
     /* the map of a sub-step, see spring_map.c */
     cairn_share velocity_gain;

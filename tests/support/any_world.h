@@ -286,7 +286,7 @@ static cairn_spring_id any_bond(cairn_body_id a, cairn_body_id b)
         def.anchor_a = reach(CAIRN_F(1));
         def.anchor_b = reach(CAIRN_F(1));
     }
-    def.rest_length = one_in(2) ? CAIRN_F(-1) : length(0, CAIRN_F(3));
+    def.rest_length = one_in(2) ? CAIRN_F(-1) : one_in(4) ? 0 : length(0, CAIRN_F(3));
     def.stiffness = any_amount();
     def.damping = one_in(2) ? any_amount() : cairn_wide_zero();
     def.no_contact = one_in(2);

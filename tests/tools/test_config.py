@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 FLAGS = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS",
          "DAMPING", "QUICK_WAYS", "SHORTCUTS", "HOLD", "POLYGONS", "FRICTION", "TURNING", "SLOPES", "MASSES",
-         "SETTINGS", "GIANTS", "SORT", "GRAVITY_SCALE")  # fmt: skip
+         "SETTINGS", "GIANTS", "SORT", "GRAVITY_SCALE", "PINS")  # fmt: skip
 
 
 def complaint(*options: str) -> str:

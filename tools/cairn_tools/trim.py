@@ -23,7 +23,7 @@ FLAGS = "-Os -g -flto"
 PROJECT = engine.ROOT / "tools" / "trim"
 FEATURES = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION",
             "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES", "MASSES", "SETTINGS", "GIANTS", "SORT",
-            "GRAVITY_SCALE")  # fmt: skip
+            "GRAVITY_SCALE", "PINS")  # fmt: skip
 UNEVEN = 30  # bodies of more than so many times one another's mass get memory for blocks, as in tools/runner/storage.h
 FAST = 0.25  # of its smallest half size in a step: then continuous.c watches a body
 FIRST_SETTINGS = (60, 4)  # of a world: steps a second, sub-steps
@@ -251,6 +251,7 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
         "GIANTS": lambda: any(s.kind == "circle" and s.radius > LARGE for s in scene.shapes.values()) and "giants",
         "SORT": lambda: len(scene.bodies) > FEW and f"{len(scene.bodies)} bodies",
         "GRAVITY_SCALE": lambda: "",  # scene files have none
+        "PINS": lambda: any(spring.rest_length == 0 for spring in scene.springs) and "springs of no rest length",
         "SLOPES": lambda: any(_leans(scene, body) for body in scene.bodies) and "what stands at an angle, or turns",
     }
     reason = found[name]()

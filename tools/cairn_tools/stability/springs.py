@@ -6,11 +6,12 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise, repeat
 
 import numpy as np
 
-from ..host import OMEGA, VX, VY, World, X, Y
-from .measure import fastest
+from ..host import ANGLE, OMEGA, VX, VY, World, X, Y
+from .measure import fastest, kinetic_energy, potential_energy
 from .model import Bench, Figure, case, least, most
 
 RATE = 60.0
@@ -378,3 +379,45 @@ def network(bench: Bench, shape: str, k: float) -> Iterator[Figure]:
         # Frozen would be bounded too.
         deepest = float((states[0, :, Y] - states[:, :, Y]).max())
         yield least(f"deepest over its statics at {zeta:g}", deepest / _shape_sag(shape, k), 0.9)
+
+
+PLANKS, PLANK_MASS = 9, 0.2
+PINNED = "{what} of planks pinned end to end by springs of no rest length, k = {k:g}, critically damped"
+
+
+@case(PINNED, over={"what": ["bridge", "pendulum"], "k": [1e4, 1e6, 1e8]}, quick=True)
+def pins(bench: Bench, what: str, k: float) -> Iterator[Figure]:
+    """A bridge of 9 planks comes to rest; a pendulum of 3 goes no higher than its start; both stay together."""
+    count = PLANKS if what == "bridge" else 3
+    world = bench.world(bodies=count + 2, springs=count + 1)
+    ends, planks = _pinned(world, count, 2 * math.sqrt(k * PLANK_MASS), k, what == "bridge")
+    states = world.record(1800, EVERY, planks)
+    settled = states[-LAST if what == "bridge" else 0 :]  # the bridge begins 0.1 m too short
+    yield most("widest gap of a pin", max(map(_gap, settled, repeat(ends))), 0.02, "m")
+    if what == "bridge":
+        yield most("last second's spin", np.abs(states[-20:, :, OMEGA]).max(), 0.02, "rad/s")
+        yield least("deepest over a chain's sag", -states[-1, :, Y].min() / math.sqrt(3 / 8 * 0.1 * count), 0.9)
+    else:
+        energy = kinetic_energy(world, states, planks) + potential_energy(world, states, planks)
+        yield most("energy gained, of the drop's", (energy.max() - energy[0]) / (energy[0] - energy.min()), 0.001, "%")
+
+
+def _pinned(world: World, count: int, damping: float, k: float, closed: bool) -> tuple[list[float], list[int]]:
+    """Planks of 1 m in a row from the origin on, and where the ends of the row are held."""
+    plank, peg = world.box(1.0, 0.2), world.circle(0.1)
+    planks = [world.add(plank, i + 0.5, 0.0) for i in range(count)]
+    held = [0.0, count - 0.1] if closed else [0.0]
+    bodies = [world.fixed(peg, 0.0, 0.0), *planks, *(world.fixed(peg, x, 0.0) for x in held[1:])]
+    for a, b in pairwise(bodies):
+        ends = ((0.5 if a in planks else 0.0, 0.0), (-0.5 if b in planks else 0.0, 0.0))
+        world.spring(a, b, k, damping, 0.0, *ends, no_contact=True)
+    return held, planks
+
+
+def _gap(state: np.ndarray, held: list[float]) -> float:
+    """The widest between two ends that are pinned together."""
+    half = 0.5 * np.stack([np.cos(state[:, ANGLE]), np.sin(state[:, ANGLE])], axis=1)
+    left, right = state[:, [X, Y]] - half, state[:, [X, Y]] + half
+    first = np.hypot(*left[0]) if held else 0.0
+    last = np.hypot(*(right[-1] - [held[1], 0.0])) if len(held) > 1 else 0.0
+    return max(first, last, float(np.hypot(*(left[1:] - right[:-1]).T).max()))
