@@ -22,24 +22,32 @@ static void take_in_new_bodies(cairn_world *world)
     }
 }
 
-/* By insertion. */
-static void sort(cairn_world *world)
+/* Bring a body whose box begins at `left` to its place among those before it. */
+CAIRN_APART void insert(const cairn_world *world, uint16_t *at, cairn_real left, uint16_t i)
 {
-    uint16_t *sorted = world->sorted, last = 0;
-    cairn_real last_left = 0;
-    for (uint16_t place = 0; place < world->sorted_count; place++) {
-        uint16_t i = sorted[place], to = place;
-        cairn_real left = left_of(&world->bodies[i]);
-        if (place == 0 || !comes_before(left, i, last_left, last)) {
+    while (at != world->sorted && comes_before(left, i, left_of(&world->bodies[at[-1]]), at[-1])) {
+        at[0] = at[-1];
+        at--;
+    }
+    *at = i;
+}
+
+/* By insertion. */
+static void sort(const cairn_world *world)
+{
+    const uint16_t *end = world->sorted + world->sorted_count;
+    const cairn_body *bodies = world->bodies;
+    cairn_real most = -CAIRN_REAL_MAX; /* the last one's, which comes first: no box begins there */
+    uint16_t last = 0;
+    for (uint16_t *at = world->sorted; at != end; at++) {
+        uint16_t i = *at;
+        cairn_real left = left_of(&bodies[i]);
+        if (comes_before(left, i, most, last)) {
+            insert(world, at, left, i);
+        } else {
+            most = left;
             last = i;
-            last_left = left;
-            continue;
         }
-        while (to > 0 && comes_before(left, i, left_of(&world->bodies[sorted[to - 1]]), sorted[to - 1])) {
-            sorted[to] = sorted[to - 1];
-            to--;
-        }
-        sorted[to] = i;
     }
 }
 
@@ -65,18 +73,20 @@ static void pair_all(cairn_world *world)
 }
 
 /* A body against those behind it. */
-static void pair_with_rest(cairn_world *world, const uint16_t *place, const uint16_t *end)
+static inline void pair_with_rest(cairn_world *world, const uint16_t *place, const uint16_t *end)
 {
+    const cairn_body *bodies = world->bodies;
     uint16_t i = *place;
-    const cairn_body *a = &world->bodies[i];
-    cairn_real right = a->x + cairn_real_from_extent(a->extent_x);
+    const cairn_body *a = &bodies[i];
+    cairn_real right = a->x + cairn_real_from_extent(a->extent_x), y = a->y;
+    cairn_extent high = a->extent_y;
     bool idle = !cairn_body_is_active(a);
     while (++place != end) {
-        const cairn_body *b = &world->bodies[*place];
+        const cairn_body *b = &bodies[*place];
         if (left_of(b) > right) {
             return;
         }
-        if (cairn_real_is_within(a->y - b->y, cairn_real_from_extents(a->extent_y, b->extent_y)) && (b->flags & CAIRN_BODY_USED)
+        if (cairn_real_is_within(y - b->y, cairn_real_from_extents(high, b->extent_y)) && (b->flags & CAIRN_BODY_USED)
             && !(idle && !cairn_body_is_active(b))) {
             cairn_arbiter_pair(world, i, *place);
         }

@@ -225,7 +225,7 @@ static cairn_offset2 held_back(const cairn_body *a, const cairn_body *b, const c
     return by;
 }
 
-/* The way to look along: two steps' motion, for a corner is felt a step before it is passed, and at least 4 GRAZE. */
+/* The way to look along: two steps' motion, for a corner is felt a step before it is passed, and at least 4 GRAZE; see CAIRN_LOOK_WAY. */
 #define DOUBLINGS 7
 
 /*
@@ -278,9 +278,14 @@ static bool is_settled(const cairn_body *a, const cairn_body *b, cairn_offset x,
 /* The contact of two slower bodies: not with a corner that one of them slides past. */
 static void slide(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_offset2 held = held_back(a, b, out);
-    cairn_offset x = (cairn_offset_from_motion(b->vx - a->vx) + held.x) * world->substeps;
-    cairn_offset y = (cairn_offset_from_motion(b->vy - a->vy) + held.y) * world->substeps;
+    cairn_offset x = cairn_offset_from_motion(b->vx - a->vx), y = cairn_offset_from_motion(b->vy - a->vy);
+    if (world->held_back) {
+        cairn_offset2 held = held_back(a, b, out);
+        x += held.x;
+        y += held.y;
+    }
+    x *= world->substeps;
+    y *= world->substeps;
     if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
         return;
     }
@@ -291,7 +296,9 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
     if (CAIRN_WITH_QUICK_WAYS && is_settled(a, b, x, y, out)) {
         return;
     }
-    cairn_pose pa = cairn_body_pose(a, 0, 0), pb = cairn_body_pose(b, out->x, out->y);
+    cairn_pose pa, pb;
+    cairn_body_pose(a, 0, 0, &pa);
+    cairn_body_pose(b, out->x, out->y, &pb);
     look_beyond(&pa, &pb, x, y, CAIRN_UNIT(1.9), margin, out);
 }
 
@@ -426,7 +433,7 @@ CAIRN_ONCE bool clip_body(cairn_world *world, cairn_body *fast, cairn_real most)
     cairn_real way = swept(fast) + most;
     for (cairn_body *other = world->bodies; other != end; other++) {
         if (cairn_boxes_are_near(fast, other, way) && other != fast && (other->flags & CAIRN_BODY_USED) && !other->model->sensor
-            && cairn_bodies_may_meet(world, (uint16_t)(fast - world->bodies), (uint16_t)(other - world->bodies))) {
+            && cairn_bodies_may_meet(world, fast, other)) {
             cairn_unit until = core_time(fast, other);
             if (until < time) {
                 time = until;

@@ -368,7 +368,7 @@ typedef struct cairn_manifold {
     cairn_unit normal_x, normal_y; /* from the first to the second body */
     cairn_offset separation;       /* along the normal; at most the distance, where the shapes are apart */
     int count;
-    cairn_offset steady;           /* where there is a contact: moved to one another by less, without turning, the two have the same normal */
+    cairn_offset steady;           /* where there is a contact: moved to one another by less, along x and y, without turning, the two have the same normal */
     cairn_manifold_point points[2];
     cairn_offset x, y; /* the second body's centre of mass as seen from the first one's, at the time: */
     cairn_unit time;   /* of the step, 0 for now */
@@ -411,7 +411,7 @@ void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offs
 cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b);
 cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b);
 /* May these two collide at all, by kind, layers and springs? */
-bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b);
+bool cairn_bodies_may_meet(const cairn_world *world, const cairn_body *a, const cairn_body *b);
 /* Before the pairs. */
 void cairn_arbiters_begin(cairn_world *world);
 /* After the pairs: forget the arbiters that none of them refreshed. */
@@ -441,8 +441,10 @@ static inline cairn_arbiter *cairn_arbiter_at(const cairn_world *world, uint16_t
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b);
 /* The contact of two shapes in the places given, whichever of them has the higher rank. */
 void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
+/* The longest way that is looked along past a corner, along x and y, unless the two go farther in two steps. */
+#define CAIRN_LOOK_WAY CAIRN_OFFSET(0.032)
 /* A body where it is now, with its centre of mass at (x, y). */
-cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y);
+void cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y, cairn_pose *out);
 /* The manifold of two bodies where they are now. */
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out);
 
@@ -475,8 +477,9 @@ void cairn_arbiters_follow(cairn_world *world);
 /* Do the rows of the step before serve for this one? */
 static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
-    return CAIRN_WITH_HOLD && (int8_t)arbiter->path > CAIRN_PATH_NONE && !((a->flags | b->flags) & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP))
-        && !(a->flags & b->flags & CAIRN_BODY_SPRUNG);
+    unsigned either = a->flags | b->flags, held_by_springs = a->flags & b->flags & CAIRN_BODY_SPRUNG;
+    return CAIRN_WITH_HOLD && (int8_t)arbiter->path > CAIRN_PATH_NONE
+        && (!(either & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP | CAIRN_BODY_SPRUNG)) || (!(either & (CAIRN_BODY_FAST | CAIRN_BODY_ASLEEP)) && !held_by_springs));
 }
 /* Not a slip that a contact may have: all of its past is forgotten. */
 #define CAIRN_LET_GO CAIRN_MOTION(1)

@@ -12,61 +12,59 @@
 #define CENTRES_APART_MAX CAIRN_F(256)
 #define MAY_BE_FAR (CAIRN_WITH_GIANTS || CAIRN_MAX_POINTS > 1) /* else one is a small circle */
 
-cairn_pose cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y)
+void cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y, cairn_pose *out)
 {
-    cairn_pose pose;
-    pose.shape = body->model->shape;
-    pose.x = x;
-    pose.y = y;
-    cairn_body_facing(body, &pose.c, &pose.s);
-    return pose;
+    out->shape = body->model->shape;
+    out->x = x;
+    out->y = y;
+    cairn_body_facing(body, &out->c, &out->s);
 }
 
-/* The contact seen from the other body: centres are (x, y) apart. */
-static void turn_round(cairn_manifold *manifold, cairn_offset x, cairn_offset y)
+/* The contact seen from the other body. */
+static void turn_round(cairn_manifold *manifold)
 {
     manifold->normal_x = -manifold->normal_x;
     manifold->normal_y = -manifold->normal_y;
     for (int i = 0; i < manifold->count; i++) {
-        manifold->points[i].x += x;
-        manifold->points[i].y += y;
+        manifold->points[i].x += manifold->x;
+        manifold->points[i].y += manifold->y;
     }
 }
 
 void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
-    uint8_t rank_a = a->shape->kind->rank, rank_b = b->shape->kind->rank;
-    cairn_offset x = b->x - a->x, y = b->y - a->y;
-    if (rank_a <= rank_b) {
-        b->shape->kind->collide[rank_a](a, b, margin, out);
+    const cairn_shape_class *kind_a = a->shape->kind, *kind_b = b->shape->kind;
+    out->x = b->x - a->x;
+    out->y = b->y - a->y;
+    out->time = 0;
+    if (kind_a->rank <= kind_b->rank) {
+        kind_b->collide[kind_a->rank](a, b, margin, out);
     } else {
         out->normal_x = out->normal_y = 0; /* not set where there is no contact */
-        a->shape->kind->collide[rank_b](b, a, margin, out);
-        turn_round(out, x, y);
+        kind_a->collide[kind_b->rank](b, a, margin, out);
+        turn_round(out);
     }
-    out->x = x;
-    out->y = y;
-    out->time = 0;
 }
 
 void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset margin, cairn_manifold *out)
 {
-    cairn_pose pa = cairn_body_pose(a, 0, 0);
-    cairn_pose pb = cairn_body_pose(b, cairn_bodies_apart_x(a, b),
-                            cairn_bodies_apart_y(a, b));
+    cairn_pose pa, pb;
+    cairn_body_pose(a, 0, 0, &pa);
+    cairn_body_pose(b, cairn_bodies_apart_x(a, b), cairn_bodies_apart_y(a, b), &pb);
     cairn_poses_collide(&pa, &pb, margin, out);
 }
 
-bool cairn_bodies_may_meet(const cairn_world *world, uint16_t a, uint16_t b)
+bool cairn_bodies_may_meet(const cairn_world *world, const cairn_body *a, const cairn_body *b)
 {
-    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    if (!cairn_body_is_dynamic(body_a) && !cairn_body_is_dynamic(body_b)) {
+    const cairn_body_model *of_a = a->model, *of_b = b->model;
+    if (!cairn_body_is_dynamic(a) && !cairn_body_is_dynamic(b)) {
         return false;
     }
-    if (!(body_a->model->layer & body_b->model->mask) || !(body_b->model->layer & body_a->model->mask)) {
+    if (!(of_a->layer & of_b->mask) || !(of_b->layer & of_a->mask)) {
         return false;
     }
-    return !CAIRN_WITH_SPRINGS || !(body_a->flags & body_b->flags & CAIRN_BODY_SPRUNG) || !cairn_world_springs(world)->kind->joined(world, a, b);
+    return !CAIRN_WITH_SPRINGS || !(a->flags & b->flags & CAIRN_BODY_SPRUNG)
+        || !cairn_world_springs(world)->kind->joined(world, (uint16_t)(a - world->bodies), (uint16_t)(b - world->bodies));
 }
 
 static bool any_penetrates(const cairn_manifold *manifold)
@@ -83,21 +81,48 @@ static bool passes_corner(cairn_offset margin, const cairn_manifold *manifold)
     return margin > 4 * CAIRN_REACH && manifold->separation < margin - 2 * CAIRN_REACH;
 }
 
+/* Would another contact be found along its way? Not one that is steady for all that is looked along. */
+static bool may_slide_past(const cairn_world *world, cairn_offset ways, const cairn_manifold *manifold)
+{
+    return world->held_back || manifold->steady < CAIRN_LOOK_WAY || manifold->steady < 4 * ways;
+}
+
+/* The same during the search, where bodies keep their cosines and sines. */
+static inline void face(cairn_body *body, cairn_offset x, cairn_offset y, cairn_pose *out)
+{
+    if (!(body->flags & CAIRN_BODY_FACING) && !cairn_body_is_round(body)) {
+        cairn_body_face(body);
+    }
+    cairn_body_pose(body, x, y, out);
+}
+
+CAIRN_APART void collide_facing(cairn_body *a, cairn_body *b, cairn_offset margin, cairn_manifold *manifold)
+{
+    cairn_pose pa, pb;
+    face(a, 0, 0, &pa);
+    face(b, cairn_bodies_apart_x(a, b), cairn_bodies_apart_y(a, b), &pb);
+    cairn_poses_collide(&pa, &pb, margin, manifold);
+}
+
 /* The contact of two bodies in this step. */
-static void look(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
+static void look(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_manifold *manifold)
 {
     if (CAIRN_WITH_CONTINUOUS && ((a->flags | b->flags) & CAIRN_BODY_FAST)) {
+        cairn_body_face(a);
+        cairn_body_face(b);
         cairn_world_continuous(world)->meet(world, a, b, manifold);
         return;
     }
-    cairn_offset margin = 2 * CAIRN_REACH + cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b));
+    cairn_offset ways = cairn_offset_from_real(cairn_body_way(a) + cairn_body_way(b)), margin = 2 * CAIRN_REACH + ways;
     manifold->separation = margin; /* where the narrow phase finds them farther apart it says nothing */
-    cairn_bodies_collide(a, b, margin, manifold);
+    collide_facing(a, b, margin, manifold);
     if (cairn_world_continuous(world) == NULL) {
         return;
     }
     if (manifold->count != 0) {
-        cairn_world_continuous(world)->slide(world, a, b, margin, manifold);
+        if (may_slide_past(world, ways, manifold)) {
+            cairn_world_continuous(world)->slide(world, a, b, margin, manifold);
+        }
     } else if (passes_corner(margin, manifold)) {
         cairn_world_continuous(world)->meet(world, a, b, manifold);
     }
@@ -132,11 +157,9 @@ CAIRN_APART bool are_beyond(const cairn_body *a, const cairn_body *b)
     return cairn_real_is_longer(a->x - b->x, a->y - b->y, radius_of(a) + radius_of(b) + margin);
 }
 
-static bool may_look(const cairn_world *world, uint16_t a, uint16_t b)
+static bool may_look(const cairn_world *world, const cairn_body *a, const cairn_body *b)
 {
-    const cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    return (!MAY_BE_FAR
-            || (cairn_real_is_within(body_a->x - body_b->x, CENTRES_APART_MAX) && cairn_real_is_within(body_a->y - body_b->y, CENTRES_APART_MAX)))
+    return (!MAY_BE_FAR || (cairn_real_is_within(a->x - b->x, CENTRES_APART_MAX) && cairn_real_is_within(a->y - b->y, CENTRES_APART_MAX)))
         && cairn_bodies_may_meet(world, a, b);
 }
 
@@ -145,12 +168,10 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
 {
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
-    if (!may_look(world, a, b)) {
+    if (!may_look(world, body_a, body_b)) {
         return;
     }
     world->stats.looked++;
-    cairn_body_face(body_a);
-    cairn_body_face(body_b);
     look(world, body_a, body_b, &manifold);
     if (manifold.count == 0) {
         return;
@@ -185,19 +206,12 @@ static inline cairn_arbiter *expected(cairn_world *world, uint16_t a, uint16_t b
     uint16_t slot = *world->expected;
     if (CAIRN_WITH_SHORTCUTS && slot != CAIRN_NONE) {
         cairn_arbiter *arbiter = &world->arbiters[slot];
-        if (arbiter->a == a && arbiter->b == b) { /* what is free again is of no body */
+        if (arbiter->a == a ? arbiter->b == b : arbiter->a == b && arbiter->b == a) { /* what is free again is of no body */
             world->expected = &arbiter->after;
             return arbiter;
         }
     }
     return NULL;
-}
-
-static inline void exchange(uint16_t *a, uint16_t *b)
-{
-    uint16_t swap = *a;
-    *a = *b;
-    *b = swap;
 }
 
 /*
@@ -228,18 +242,26 @@ static inline void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *
     cairn_arbiter_engage(world, arbiter, a, b);
 }
 
+/* The body that does not move, else the one with the lower place, comes first. */
+static inline bool are_in_order(const cairn_world *world, uint16_t a, uint16_t b)
+{
+    bool dynamic = cairn_body_is_dynamic(&world->bodies[a]);
+    return dynamic == cairn_body_is_dynamic(&world->bodies[b]) ? a < b : !dynamic;
+}
+
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
 {
     world->stats.pairs++;
-    /* The body that does not move, else the one with the lower place, comes first. */
-    if (a > b) {
-        exchange(&a, &b);
-    }
-    if (cairn_body_is_dynamic(&world->bodies[a]) && !cairn_body_is_dynamic(&world->bodies[b])) {
-        exchange(&a, &b);
+    cairn_arbiter *arbiter = expected(world, a, b);
+    if (arbiter != NULL) {
+        a = arbiter->a;
+        b = arbiter->b;
+    } else if (!are_in_order(world, a, b)) {
+        uint16_t swap = a;
+        a = b;
+        b = swap;
     }
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
-    cairn_arbiter *arbiter = expected(world, a, b);
     if (arbiter == NULL) {
         if (MAY_BE_BEYOND && are_beyond(body_a, body_b)) {
             return;
