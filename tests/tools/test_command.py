@@ -4,11 +4,13 @@ import csv
 import io
 import json
 import math
+import os
 import subprocess
 from pathlib import Path
 
 import pytest
 from cairn_tools import engine, scene
+from cairn_tools.errors import UserError
 
 ROOT = Path(__file__).parents[2]
 
@@ -127,6 +129,16 @@ def test_pictures_are_written(tmp_path: Path) -> None:
         (["bench", "--memory", "--scene", "tower"], "--memory"),
         (["table", "tower"], "--out"),
         (["table", "tower", "--out", "t.c", "--name", "a b"], "--name"),
+        (["table", "tower", "--out", "t.c", "--name", "int"], "no name in C"),
+        (["run", "tower", "--steps", "1", "--gif", "/proc/a.gif"], "/proc/a.gif"),
+        (["run", "tower", "--json", "--hash"], "--json"),
+        (["run", "tower", "--passes", "5"], "--solver slides"),
+        (["run", "recorded.jsonl"], "recorded.jsonl"),
+        (["bench", "--core"], "requires an argument"),
+        (["bench", "--scene", "tower", "--keep"], "take no other option"),
+        (["bench", "--keep", "--check"], "take no other option"),
+        (["golden", "--scene", "nowhere"], "no such scene"),
+        (["golden", "--scene", "tower", "--write", "x"], "--scene"),
         (["jump"], "jump"),
     ],
 )
@@ -144,6 +156,43 @@ def test_a_bad_scene_gives_one_line_that_names_the_field(tmp_path: Path) -> None
     done = cairn("run", file)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == f'cairn: {file}: bodies[4].shape: no shape named "plonk" in shapes\n'
+
+
+def test_help_is_shown_where_nothing_is_asked_for() -> None:
+    done = cairn()
+    assert (done.returncode, done.stderr) == (2, "")
+    assert "Usage" in done.stdout
+
+
+def test_a_scene_may_have_the_mark_that_some_editors_write_and_any_rate(tmp_path: Path) -> None:
+    file = tmp_path / "tower.json"
+    data = {**json.loads(scene.find("tower").read_text()), "steps_per_second": 2000}
+    file.write_text(json.dumps(data), encoding="utf-8-sig")
+    assert len(printed("run", file, "--steps", 3, "--hash")) == 9
+
+
+def test_a_recorded_run_is_told_from_a_scene(tmp_path: Path) -> None:
+    file = tmp_path / "a.jsonl"
+    file.write_text('{"cairn_run": 1, "scene": "tower"}\n')
+    with pytest.raises(UserError, match="only tools/cairn trim plays"):
+        scene.load(file)
+
+
+def test_own_scenes_are_held_to_the_state_of_the_host() -> None:
+    said = json.loads(printed("golden", "--scene", "boxes3", "bounce", "--targets", "host", "m0", "--json"))
+    assert said["record"] == []
+    assert [(row["case"], row["got"] == row["expected"]) for row in said["results"]] == 2 * [("boxes3", True)] + 2 * [
+        ("bounce", True)
+    ]
+
+
+def test_a_narrow_terminal_hides_no_figure() -> None:
+    command = [ROOT / "tools" / "cairn", "compare", "boxes3", "--rounding", "--steps", "3"]
+    for columns in ("40", "80"):
+        environment = {**os.environ, "COLUMNS": columns}
+        done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
+        assert "…" not in done.stdout
+        assert max(map(len, done.stdout.splitlines()[:20])) <= int(columns)
 
 
 # The largest distances that issue 2 allows; the second bounce is at step 168.

@@ -88,6 +88,7 @@ def test_equal_masses_and_no_friction_are_noticed(tmp_path: Path) -> None:
         ([BEGIN, {"step": 1, "spawn": BALL, "remove": 1}], "line 2: must have one of"),
         ([BEGIN, {"step": 1, "spawn": BALL, "body": 1}], "line 2: must have one of"),
         ([BEGIN, {"step": 1, "body": 1}], "line 2: must have one of"),
+        ([BEGIN, {"step": 1}], "line 2: must have one of spawn, remove"),
         ([BEGIN, {"step": 1, "impulse": [1, 2]}], "line 2: body: missing"),
         ([BEGIN, {"step": 1, "impulse": [1], "body": 1}], "line 2: impulse: must have at least 2"),
         ([BEGIN, {"step": 1, "impulse": [1, 2], "body": 11}], "line 2: there is no body 11 yet; there are 11"),
@@ -109,3 +110,10 @@ def test_a_run_that_goes_on_beyond_the_steps_is_refused_and_nothing_written(tmp_
     assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
     assert "its last event is after 100 steps: --steps must be more, not 100" in done.stderr
     assert not (tmp_path / "trimmed").exists()
+
+
+def test_what_the_engine_refuses_is_told_by_its_event(tmp_path: Path) -> None:
+    far = {"step": 2, "spawn": BALL | {"position": [20000, 0]}}
+    loaded = trim_recording.load(recording(tmp_path, BEGIN, {"step": 1, "remove": 1}, far), tmp_path)
+    with pytest.raises(UserError, match="event 2, after step 2: refused by the engine: a number out of range"):
+        engine.run(loaded, "q16", "host", 5, 0)

@@ -2,6 +2,9 @@
 
 # Processes that a sweep starts import this file too.
 if __name__ == "__main__":
-    from .app import main
+    try:
+        from .app import main
 
-    main()
+        main()
+    except KeyboardInterrupt:  # while the libraries load: main() knows it from then on
+        raise SystemExit(130) from None

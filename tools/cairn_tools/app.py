@@ -63,11 +63,18 @@ SEVERAL = {
     "accuracy": {"--core", "--scene"},
     "bench": {"--core", "--scene"},
     "footprint": {"--core"},
-    "golden": {"--targets"},
+    "golden": {"--targets", "--scene"},
     "stability": {"--case", "--engine", "--solver"},
     "sweep": {"--core", "--vary"},
     "trim": {"--keep"},
 }
+
+
+# Of C, which are no names.
+KEYWORD = re.compile(
+    "auto|break|case|char|const|continue|default|do|double|else|enum|extern|float|for|goto|if|inline|int|long|register"
+    "|restrict|return|short|signed|sizeof|static|struct|switch|typedef|union|unsigned|void|volatile|while"
+)
 
 
 def main() -> NoReturn:
@@ -79,7 +86,15 @@ def main() -> NoReturn:
         code = end.exit_code
     except (UserError, typer.TyperException) as error:
         message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
-        print(f"cairn: {' '.join(message.split())}", file=sys.stderr)
+        if message:  # there is none where nothing was asked for, and the help is shown
+            print(f"cairn: {' '.join(message.replace('Value error, ', '').split())}", file=sys.stderr)
+        code = 2
+    except BrokenPipeError:
+        _drop_stdout()
+        code = 141  # as the shell tells of a program that SIGPIPE ended
+    except OSError as error:  # a folder that may not be written, a full disk
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"cairn: {place}{error.strerror or error}", file=sys.stderr)
         code = 2
     except engine.EngineError as error:
         print(f"cairn: {error}", file=sys.stderr)
@@ -92,17 +107,20 @@ def main() -> NoReturn:
 def _spread(arguments: list[str], several: set[str]) -> list[str]:
     """`--core m0 m3` as `--core m0 --core m3`: the parser itself takes one value an option."""
     given: list[str] = []
-    option = ""
+    option, waits = "", False  # for its first value: without one the parser is told, and complains
     for argument in arguments:
         if argument.startswith("-"):
+            given += [option] if waits else []
             option = argument if argument in several else ""
+            waits = bool(option)
             if not option:
                 given.append(argument)
         elif option:
             given += [option, argument]
+            waits = False
         else:
             given.append(argument)
-    return given
+    return [*given, option] if waits else given
 
 
 @app.command()
@@ -133,6 +151,8 @@ def run(
         raise UserError("--engine oracle has no --hash, --solver, --substeps or --passes")
     if csv == "-" and (hash_only or as_json):
         raise UserError("--csv - prints nothing else: leave out --hash and --json")
+    if hash_only and as_json:
+        raise UserError("--hash prints nothing else: leave out --json, which has it too")
     only_hash = hash_only and not (csv or svg or png or gif or as_json)
     with working(f"{loaded.name} on {on.value}"):
         if by_oracle:
@@ -210,6 +230,9 @@ def golden(
     targets: Annotated[
         list[GoldenTarget] | None, typer.Option(help=f"Default: {' '.join(golden_module.EVERY_TIME)}.")
     ] = None,
+    scene_name: Annotated[
+        list[str] | None, typer.Option("--scene", help="Only these, names or files of yours, held to the host's state.")
+    ] = None,
     write: Annotated[
         str | None, typer.Option(metavar="REASON", help="Record the host's hashes, the reason in CHANGELOG.md.")
     ] = None,
@@ -217,14 +240,17 @@ def golden(
 ) -> None:
     """Hold every scene to the same state after 600 steps, on all compilers and cores, and to the one on record."""
     started = monotonic()
+    if write is not None and (targets or scene_name):
+        raise UserError("--write records all scenes of the host: leave out --targets and --scene")
+    own = [golden_module.Case(it.name, it) for it in (scene.load(scene.find(name)) for name in scene_name or [])]
     with working("golden hashes") as say:
         if write is not None:
             changed = golden_module.write(write, say)
             print("the hashes and CHANGELOG.md are written" if changed else "the hashes are those on record")
             return
-        troubles = golden_module.record_troubles()
+        troubles = [] if own else golden_module.record_troubles()
         chosen = [target.value for target in targets] if targets else list(golden_module.EVERY_TIME)
-        results = golden_module.check(chosen, say)
+        results = golden_module.check(chosen, say, own)
     failed = [result for result in results if not result.passed]
     if as_json:
         print(json.dumps({"record": troubles, "results": [asdict(result) for result in results]}, indent=2))
@@ -238,7 +264,7 @@ def golden(
             print(line)
         # The record's own check is one more; tools/test reads this line.
         bad = len(failed) + bool(troubles)
-        print(f"{len(results) + 1 - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
+        print(f"{len(results) + (not own) - bad} passed, {bad} failed in {monotonic() - started:.1f}s")
     if failed or troubles:
         raise typer.Exit(1)
 
@@ -251,7 +277,7 @@ def table_command(
 ) -> None:
     """Convert a scene to a const C table for firmware."""
     loaded = load_scene(scene_file, None, None, None)
-    if name and not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
+    if name and (not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or KEYWORD.fullmatch(name)):
         raise UserError(f"--name {name}: is no name in C")
     text = engine.table(loaded, name or "scene_" + re.sub(r"[^A-Za-z0-9]", "_", loaded.name))
     writable(out_file).write_text(text, encoding="utf-8")
@@ -268,8 +294,12 @@ def _print_csv(trajectory: Trajectory) -> None:
         trajectory.write_csv(sys.stdout)
         sys.stdout.flush()
     except BrokenPipeError:
-        # What is left in the buffer has nowhere to go.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _drop_stdout()
+
+
+def _drop_stdout() -> None:
+    """What is left in the buffer has nowhere to go."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _unit(got: engine.Run) -> str:

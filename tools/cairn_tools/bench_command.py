@@ -66,6 +66,9 @@ def bench(
         _memory([c.value for c in core or ()] or list(memory_module.CORES), keep, check, as_json, show)
         return
     if keep or check:
+        others = (core, scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers, host, rounds)
+        if any(others) or as_json or markdown or (keep and check):
+            raise UserError("--keep and --check are of all scenes on record and take no other option")
         _record(keep)
         return
     if host or rounds:

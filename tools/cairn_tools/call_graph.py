@@ -43,7 +43,8 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"\bpass\(world, world->block\)", ("block:warm_start_block", "block:biased_block", "block:relax_block")),
     (r"springs\(world\)->kind->prepare\(", ("cairn_springs_prepare",)),
     (r"springs\(world\)->kind->substep\(", ("cairn_springs_substep",)),
-    *((rf"springs\(world\)->kind->{name}\(", (f"spring:{name}",)) for name in ("joined", "remove_body", "link", "wake")),
+    *((rf"springs\(world\)->kind->{name}\(", (f"spring:{name}",))
+      for name in ("joined", "remove_body", "link", "wake")),
     *((rf"mesh->kind->{name}\(", (f"spring_mesh:{name}",)) for name in ("make", "solve")),
     (r"\bvisit\(world, spring->a", ("sleep:join",)),
     (r"\btest\(asked, &about", ("query:holds_point", "query:meets_box")),

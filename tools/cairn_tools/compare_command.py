@@ -70,7 +70,7 @@ def tables(got: Comparison) -> list[Table]:
 
 
 def _errors_table(got: Comparison, unit: str, values: Any) -> Table:
-    grid = Table(title=f"{got.scene}: errors in {unit}, {got.steps} steps")
+    grid = Table(title=f"{got.scene}: errors in {unit}, {got.steps} steps", padding=0)  # eighty columns hold it
     for column in ("step", *(f"{name}: {kind}" for name in got.errors for kind in ("rms", "largest"))):
         grid.add_column(column, justify="right")
     chosen = {name: measured.selected(rows) for name, rows in got.errors.items()}
@@ -93,7 +93,7 @@ def horizon_text(got: Comparison) -> str:
 
 
 def _outcomes_table(got: Comparison) -> Table:
-    grid = Table(title=f"{got.scene}: what stays comparable, after {got.steps} steps")
+    grid = Table(title=f"{got.scene}: what stays comparable, after {got.steps} steps", padding=0)
     columns = ("run", "energy gained, J", "at its highest", "momentum, kg m/s", "deepest penetration, m")
     for column in (*columns, "mean height, m", "top, m", "rests after, s"):
         grid.add_column(column, justify="left" if column == "run" else "right")

@@ -253,6 +253,11 @@ def _failure(done: subprocess.CompletedProcess[str], scene: Scene, target: str |
         return UserError(
             f"{scene.path}: {where}: refused by the engine: {STATUS.get(int(said['status']), said['status'])}"
         )
+    if "status" in said and "event" in said and scene.play:
+        number = int(said["event"])
+        why = STATUS.get(int(said["status"]), said["status"])
+        step = scene.play.events[number - 1].step
+        return UserError(f"{scene.name}: event {number}, after step {step}: refused by the engine: {why}")
     lines = (done.stderr + done.stdout).strip().splitlines()
     on = target or "the host"
     if target and done.returncode > 100 and done.returncode != 124:

@@ -66,7 +66,7 @@ def apart(loaded: Scene, name: str, run: Trajectory, twin: Trajectory) -> Twins:
 
 def perturbed(loaded: Scene, folder: Path) -> Scene:
     """The scene with the moving bodies an LSB aside, with the same settings, in a file of that folder."""
-    data = json.loads(loaded.path.read_text(encoding="utf-8"))
+    data = json.loads(loaded.path.read_text(encoding="utf-8-sig"))
     aside = LSB
     for entry, body in zip(data["bodies"], loaded.bodies, strict=True):
         if not body.static:

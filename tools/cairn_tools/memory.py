@@ -111,7 +111,7 @@ def load(name: str) -> scene.Scene:
 
 def _changed(loaded: scene.Scene, **fields: Any) -> scene.Scene:
     """The same scene from a file with other fields: the engine reads those from the file."""
-    data = json.loads(loaded.path.read_text(encoding="utf-8"))
+    data = json.loads(loaded.path.read_text(encoding="utf-8-sig"))
     return _written("-".join([loaded.name, *fields]), {**data, **fields})
 
 

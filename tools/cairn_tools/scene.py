@@ -178,8 +178,10 @@ def find(name_or_file: str) -> Path:
 
 def load(path: Path) -> Scene:
     """Reads and checks a scene file."""
+    if path.suffix == ".jsonl":
+        raise UserError(f"{path}: a recorded run, which only tools/cairn trim plays; a scene is a .json file")
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")  # some editors write the mark
     except OSError as error:
         raise UserError(f"{path}: {error.strerror}") from error
     except UnicodeDecodeError as error:
@@ -222,7 +224,7 @@ def _path_text(path: list[Any]) -> str:
 
 
 def _shown(value: Any) -> str:
-    text = json.dumps(value)
+    text = json.dumps(value, ensure_ascii=False)
     return text if len(text) <= 40 else text[:37] + "..."
 
 
@@ -282,13 +284,13 @@ def _explained(error: jsonschema.ValidationError, path: list[Any]) -> tuple[list
         case "maximum":
             return path, f"must be at most {limit:g}, not {_shown(value)}"
         case "minItems":
-            return path, f"must have at least {limit} entries, not {len(value)}"
+            return path, f"must have at least {limit} {'entry' if limit == 1 else 'entries'}, not {len(value)}"
         case "maxItems":
             return path, f"must have at most {limit} entries, not {len(value)}"
         case "dependentRequired":
             missing = next(key for field, needs in limit.items() if field in value for key in needs if key not in value)
             return [*path, missing], "missing"
-        case "minProperties" | "maxProperties":
+        case "minProperties" | "maxProperties" if limit == 1:
             return path, f"must have exactly one of {', '.join(error.schema['properties'])}"
         case "pattern" | "minLength" | "maxLength":
             return path, f"must be 1 to 63 letters, digits or _ . -, not {_shown(value)}"
@@ -344,7 +346,7 @@ def _shape(values: dict[str, Any], path: list[Any]) -> Shape:
     else:
         shape = Shape("polygon", 0.0, tuple(_convex([_pair(p) for p in value], path)))
     if shape.reach > LARGEST_REACH:
-        _fail(path, f"reaches {shape.reach:g} m from its origin; at most {LARGEST_REACH} m")
+        _fail(path, f"reaches {shape.reach:.12g} m from its origin; at most {LARGEST_REACH} m")
     return shape
 
 

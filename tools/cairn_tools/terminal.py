@@ -23,11 +23,24 @@ from rich.progress import (
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+from rich.table import Table
 
 from . import engine, scene
 from .errors import UserError
 
-out = Console()
+
+class Screen(Console):
+    """A console that hides nothing of a table: where it is narrow, a figure goes on in the next line."""
+
+    def print(self, *objects: Any, **options: Any) -> None:
+        for grid in objects:
+            if isinstance(grid, Table):
+                for column in grid.columns:
+                    column.overflow = "fold"
+        super().print(*objects, **options)
+
+
+out = Screen()
 err = Console(stderr=True)
 
 Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
@@ -101,5 +114,7 @@ def hold_to_record(lines: list[str], count: int, started: float, as_json: bool =
 def load_scene(name: str, solver: Solver | None, substeps: int | None, passes: int | None) -> scene.Scene:
     """The scene with the settings of the command line in place of its own."""
     loaded = scene.load(scene.find(name))
+    if passes and (solver.value if solver else loaded.solver) == "soft":
+        raise UserError("--passes are of the slides' solver: add --solver slides")
     given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
     return replace(loaded, **{key: value for key, value in given.items() if value is not None})

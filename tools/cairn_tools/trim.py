@@ -152,7 +152,7 @@ def identifier(scene: Scene) -> str:
 
 def _rewritten(scene: Scene, folder: Path) -> Scene:
     """The scene as a file that says its settings, from which tables are made."""
-    data = json.loads(scene.path.read_text(encoding="utf-8"))
+    data = json.loads(scene.path.read_text(encoding="utf-8-sig"))
     data |= {"substeps": scene.substeps, "broad_phase": scene.broad_phase}
     file = folder / f"{identifier(scene)}-{scene.broad_phase}.json"
     file.write_text(json.dumps(data), encoding="utf-8")

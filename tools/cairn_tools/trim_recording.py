@@ -31,7 +31,7 @@ ONE = 65536  # 1 in Q16.16
 def load(path: Path, folder: Path) -> Scene:
     """The scene with all bodies that the run ever has, put into a file of the folder, and what happens to them."""
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise UserError(f"{path}: {getattr(error, 'strerror', None) or 'not UTF-8 text'}") from error
     data = [(i, _line(path, i, line)) for i, line in enumerate(lines, 1) if line.strip()]
@@ -39,7 +39,7 @@ def load(path: Path, folder: Path) -> Scene:
         raise UserError(f"{path}: is empty: the first line names the scene")
     begin = _checked(path, *data[0], "begin")
     base = _scene(path, begin["scene"])
-    whole = json.loads(base.path.read_text(encoding="utf-8"))
+    whole = json.loads(base.path.read_text(encoding="utf-8-sig"))
     for part in ("shapes", "materials"):
         if part in begin:
             whole[part] = {**whole.get(part, {}), **begin[part]}

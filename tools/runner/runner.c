@@ -70,7 +70,7 @@ bool runner_options_take(runner_options *options, const char *word)
         options->substeps = (int)number;
     } else if (take_number(word, "passes", &number) && number <= 100) {
         options->passes = (int)number;
-    } else if (take_number(word, "rate", &number) && number <= 1000) {
+    } else if (take_number(word, "rate", &number) && number <= 2000) {
         options->rate = number;
     } else if (take_number(word, "sleep", &number)) {
         options->sleep = number != 0;

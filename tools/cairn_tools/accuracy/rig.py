@@ -86,7 +86,7 @@ def with_settings(scene: Scene, settings: Settings) -> Scene:
 
 def _with_tree(scene: Scene, folder: Path) -> Scene:
     """Its file with a quadtree: an image of it has the memory, and is told by words whether to use it."""
-    data = json.loads(scene.path.read_text(encoding="utf-8"))
+    data = json.loads(scene.path.read_text(encoding="utf-8-sig"))
     path = folder / "scene.json"
     path.write_text(json.dumps({**data, "broad_phase": "quadtree"}), encoding="utf-8")
     return replace(scene, path=path)

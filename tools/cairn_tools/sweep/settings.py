@@ -186,7 +186,7 @@ def _of_scene(path: Path, wished: dict[str, list[Any]]) -> Iterator[Job]:
     loaded = scene.load(path)
     if any(spring.stiffness is None for spring in loaded.springs):
         raise UserError(f"{path}: springs by frequency: a sweep takes those by stiffness only")
-    text = path.read_text(encoding="utf-8")
+    text = path.read_text(encoding="utf-8-sig")
     digest = hashlib.sha256(text.encode()).hexdigest()[:8]
     own = {
         **{name: parameter.default for name, parameter in PARAMETERS.items()},
