@@ -74,7 +74,7 @@ CAIRN_INLINE void biased(const cairn_world *world, cairn_body *a, cairn_body *b,
             impulse = cairn_motion_above_zero(cairn_softened(rigid, row->load), CAIRN_IMPULSE_MAX);
         }
         row->impulse = impulse;
-        press(&pair, arbiter, row, impulse - old, path);
+        press(&pair, arbiter, row, cairn_kept(impulse - old), path);
         if (!has_two_points(path) || row == last) {
             break;
         }
@@ -96,7 +96,7 @@ CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
         return;
     }
     bool alone = path == CAIRN_PATH_ON_STATIC, second = has_two_points(path) && from_last;
-    cairn_motion x = alone ? b->vx : b->vx - a->vx, y = alone ? b->vy : b->vy - a->vy, pressure = 0;
+    cairn_motion x = cairn_kept(alone ? b->vx : b->vx - a->vx), y = cairn_kept(alone ? b->vy : b->vy - a->vy), pressure = 0;
     pair_state pair = load(a, b);
     pair.linear = pair.before = cairn_motion_along(x, y, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(y, -x, arbiter->normal_x, arbiter->normal_y);
@@ -113,7 +113,7 @@ CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
         }
         row->impulse = impulse;
         pressure += impulse;
-        press(&pair, arbiter, row, impulse - old, path);
+        press(&pair, arbiter, row, cairn_kept(impulse - old), path);
         if (!has_two_points(path) || row == last) {
             break;
         }
@@ -127,7 +127,7 @@ CAIRN_INLINE void relax(const cairn_world *world, cairn_body *a, cairn_body *b, 
         impulse = old + cairn_motion_clamp(cairn_arbiter_rub(world, arbiter, u, impulse) - old, CAIRN_GIVEN);
     }
     arbiter->friction_impulse = impulse;
-    finish(&pair, a, b, arbiter, impulse - old, path);
+    finish(&pair, a, b, arbiter, cairn_kept(impulse - old), path);
 }
 
 /* ---- each pass by each path ---- */

@@ -18,6 +18,7 @@
 #define CAIRN_PORT_CLZ(x) cairn_armv7m_clz(x)
 #define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)
 #define CAIRN_PORT_ASKS 0
+#define CAIRN_PORT_KEPT(x) cairn_armv7m_kept(x)
 
 /* x / 2^shift, halves upwards */
 static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)
@@ -32,6 +33,14 @@ static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)
     }
 #endif
     return (int32_t)((high << (32 - shift)) + (low >> shift) + (low >> (shift - 1) & 1u));
+}
+
+static inline int32_t cairn_armv7m_kept(int32_t x)
+{
+#if defined(__GNUC__) && defined(__thumb2__)
+    __asm__("" : "+r"(x));
+#endif
+    return x;
 }
 
 /* As one piece: from C gcc makes 64-bit values of operands that it uses twice, with their sign words. */
