@@ -23,7 +23,7 @@ int main(void)
         cairn_world_step(world); /* 1/60 s */
     }
     cairn_print_text("the crate lies at a height of ");
-    cairn_print_i32(cairn_real_floor(1000 * cairn_body_position(world, id).y));
+    cairn_print_i32(cairn_real_floor(1000 * cairn_body_position(world, id).y)); /* as Q16.16: for less than 32 m */
     cairn_print_text(" mm\n");
     cairn_print_flush();
     cairn_port_exit(cairn_world_get_stats(world)->dropped == 0 ? 0 : 1);

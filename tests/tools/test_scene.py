@@ -2,13 +2,14 @@
 
 import json
 import math
+import re
 from copy import deepcopy
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import pytest
-from cairn_tools import geometry, scene
+from cairn_tools import geometry, scene, trim_recording
 from cairn_tools.errors import UserError
 from cairn_tools.geometry import Point
 
@@ -254,3 +255,12 @@ def overlap(loaded: scene.Scene, a: scene.Body, b: scene.Body) -> float:
 def outline(shape: scene.Shape, body: scene.Body) -> list[Point]:
     local = list(shape.corners) or geometry.regular(64, shape.radius)
     return geometry.placed(local, *body.position, body.angle)
+
+
+def test_the_scene_and_the_run_of_the_docs_are_right(tmp_path: Path) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "SCENES.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```(?:json)?\n(\{\"?.*?)```", text, re.DOTALL)
+    (tmp_path / "level1.json").write_text(blocks[0], encoding="utf-8")
+    (tmp_path / "shots.jsonl").write_text(blocks[1], encoding="utf-8")
+    assert len(scene.load(tmp_path / "level1.json").bodies) == 6
+    assert trim_recording.load(tmp_path / "shots.jsonl", tmp_path).play.most == 7
