@@ -84,10 +84,11 @@ static void prepare_path(cairn_world *world, cairn_spring *first, bool changed)
     if (cairn_spring_is_pin(first)) {
         return; /* in each sub-step anew */
     }
-    if (changed) {
+    if (CAIRN_WITH_QUICK_SPRINGS && changed) {
         cairn_path_look(world, first);
     }
-    if (!cairn_path_follow(world, first) && (changed || first->flags & CAIRN_SPRING_LEVERS)) {
+    bool quick = CAIRN_WITH_QUICK_SPRINGS && cairn_path_follow(world, first);
+    if (!quick && (changed || first->flags & CAIRN_SPRING_LEVERS)) {
         for (cairn_spring *spring = first; spring != NULL; spring = cairn_spring_behind(world->springs, spring)) {
             if (!changed && cairn_spring_is_off_centre(spring)) {
                 cairn_spring_map(world, spring);
@@ -167,7 +168,7 @@ CAIRN_ONCE void solve_exactly(cairn_world *world, cairn_spring *spring)
 
 static void solve_path(cairn_world *world, cairn_spring *first, bool again)
 {
-    if (first->flags & CAIRN_SPRING_FRAMED) {
+    if (CAIRN_WITH_QUICK_SPRINGS && (first->flags & CAIRN_SPRING_FRAMED)) {
         cairn_path_solve_quickly(world, first, again);
     } else {
         cairn_path_solve(world, first, again);
