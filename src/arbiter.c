@@ -136,8 +136,9 @@ static void retain(cairn_world *world, bool (*keep)(const cairn_world *world, ca
 static bool is_current(const cairn_world *world, cairn_arbiter *arbiter, uint16_t body)
 {
     (void)body;
-    if (arbiter->flags & CAIRN_ARBITER_FRESH) {
-        return true;
+    bool fresh = (arbiter->flags & CAIRN_ARBITER_FRESH) != 0;
+    if (fresh || !CAIRN_WITH_SLEEP) { /* one of the two does not sleep then */
+        return fresh;
     }
     if (cairn_body_is_active(&world->bodies[arbiter->a]) || cairn_body_is_active(&world->bodies[arbiter->b])) {
         return false;

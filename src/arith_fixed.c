@@ -91,7 +91,7 @@ static uint32_t inverse_32(uint32_t m)
 }
 
 /* 1 / sqrt(m) in Q31, within 5 units; m in Q32, at least 1/4. */
-static uint32_t inverse_root_32(uint32_t m)
+CAIRN_ONCE uint32_t inverse_root_32(uint32_t m)
 {
     uint32_t r = 256u + root_start[(m >> 26) - 16]; /* Q8, within 2^-5.8 */
     int32_t d = (int32_t)(0u - (m >> 14) * (r * r)) >> 15; /* 1 - m r^2, Q34 (its 1 is 2^34, gone in 32 bits), to Q19 */

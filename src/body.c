@@ -235,11 +235,13 @@ void cairn_body_centroid(const cairn_body *body, cairn_offset *x, cairn_offset *
 static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cairn_angle angle)
 {
     cairn_offset cx, cy;
-    body->angle = angle;
-    cairn_body_centroid(body, &cx, &cy);
     cairn_residue rx = cairn_residue_zero(), ry = rx;
-    cairn_coordinate_shift(&position.x, &rx, cx);
-    cairn_coordinate_shift(&position.y, &ry, cy);
+    body->angle = angle;
+    if (CAIRN_WITH_POLYGONS) { /* else its origin is its centre */
+        cairn_body_centroid(body, &cx, &cy);
+        cairn_coordinate_shift(&position.x, &rx, cx);
+        cairn_coordinate_shift(&position.y, &ry, cy);
+    }
     body->x = position.x;
     body->y = position.y;
     body->x_residue = rx & CAIRN_RESIDUE_BITS;

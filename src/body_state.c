@@ -10,9 +10,17 @@ cairn_vec2 cairn_body_point(const cairn_body *body, cairn_offset x, cairn_offset
     return cairn_vec2_of(cairn_coordinate_round(px, rx), cairn_coordinate_round(py, ry));
 }
 
+static cairn_vec2 center_of(const cairn_body *body)
+{
+    return cairn_vec2_of(cairn_coordinate_round(body->x, body->x_residue), cairn_coordinate_round(body->y, body->y_residue));
+}
+
 static cairn_vec2 origin_of(const cairn_body *body)
 {
     cairn_offset cx, cy;
+    if (!CAIRN_WITH_POLYGONS) {
+        return center_of(body);
+    }
     cairn_body_centroid(body, &cx, &cy);
     return cairn_body_point(body, -cx, -cy);
 }
@@ -21,11 +29,6 @@ cairn_vec2 cairn_body_position(cairn_world *world, cairn_body_id id)
 {
     const cairn_body *body = cairn_body_find(world, id);
     return body == NULL ? cairn_vec2_of(0, 0) : origin_of(body);
-}
-
-static cairn_vec2 center_of(const cairn_body *body)
-{
-    return cairn_vec2_of(cairn_coordinate_round(body->x, body->x_residue), cairn_coordinate_round(body->y, body->y_residue));
 }
 
 cairn_vec2 cairn_body_center(cairn_world *world, cairn_body_id id)

@@ -387,7 +387,7 @@ static inline uint16_t cairn_feature(int reference, int incident, int end, bool 
 }
 
 /* The contact of a circle of radius r with a polygon's surface in direction n from the circle. */
-static inline void cairn_circle_touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
+CAIRN_SHARED void cairn_circle_touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
 {
     cairn_offset middle = r + cairn_offset_half(separation);
     out->normal_x = n.x;
@@ -454,7 +454,7 @@ static inline void cairn_arbiter_engage(cairn_world *world, cairn_arbiter *arbit
     arbiter->flags |= CAIRN_ARBITER_SOLVED;
     a->flags |= CAIRN_BODY_MET;
     b->flags |= CAIRN_BODY_MET;
-    if (arbiter->block != 0) {
+    if (CAIRN_WITH_BLOCKS && arbiter->block != 0) {
         world->uneven |= arbiter->block;
     }
 }

@@ -17,7 +17,9 @@ void cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y, cai
     out->shape = body->model->shape;
     out->x = x;
     out->y = y;
-    cairn_body_facing(body, &out->c, &out->s);
+    if (CAIRN_WITH_SLOPES) {
+        cairn_body_facing(body, &out->c, &out->s);
+    }
 }
 
 /* The contact seen from the other body. */
@@ -25,7 +27,8 @@ static void turn_round(cairn_manifold *manifold)
 {
     manifold->normal_x = -manifold->normal_x;
     manifold->normal_y = -manifold->normal_y;
-    for (int i = 0; i < manifold->count; i++) {
+    int count = CAIRN_MAX_POINTS == 1 ? manifold->count != 0 : manifold->count;
+    for (int i = 0; i < count; i++) {
         manifold->points[i].x += manifold->x;
         manifold->points[i].y += manifold->y;
     }
@@ -36,7 +39,9 @@ void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset 
     const cairn_shape_class *kind_a = a->shape->kind, *kind_b = b->shape->kind;
     out->x = b->x - a->x;
     out->y = b->y - a->y;
-    out->time = 0;
+    if (CAIRN_WITH_CONTINUOUS) {
+        out->time = 0;
+    }
     if (kind_a->rank <= kind_b->rank) {
         kind_b->collide[kind_a->rank](a, b, margin, out);
     } else {
@@ -69,7 +74,7 @@ bool cairn_bodies_may_meet(const cairn_world *world, const cairn_body *a, const 
 
 static bool any_penetrates(const cairn_manifold *manifold)
 {
-    return manifold->points[0].separation <= 0 || (manifold->count > 1 && manifold->points[1].separation <= 0);
+    return manifold->points[0].separation <= 0 || (cairn_points_of(manifold->count) > 1 && manifold->points[1].separation <= 0);
 }
 
 /*
@@ -132,7 +137,7 @@ static void look(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_m
 static inline void renew(cairn_world *world, cairn_arbiter *arbiter, bool touches)
 {
     unsigned flags = arbiter->flags;
-    if (!(flags & CAIRN_ARBITER_FRESH)) { /* else it was found before something woke, too */
+    if (!CAIRN_WITH_SLEEP || !(flags & CAIRN_ARBITER_FRESH)) { /* else it was found before something woke, too */
         unsigned touched = cairn_flag_if((flags & CAIRN_ARBITER_TOUCHING) != 0, CAIRN_ARBITER_TOUCHED);
         flags = (flags & ~(unsigned)(CAIRN_ARBITER_TOUCHING | CAIRN_ARBITER_TOUCHED | CAIRN_ARBITER_SOLVED)) | touched;
         world->fresh++;
@@ -186,7 +191,7 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
     cairn_arbiter_prepare(world, arbiter, &manifold);
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
-    if (!(arbiter->flags & CAIRN_ARBITER_SENSOR) && !((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP)) {
+    if (!(CAIRN_WITH_SENSORS && (arbiter->flags & CAIRN_ARBITER_SENSOR)) && !(CAIRN_WITH_SLEEP && ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP))) {
         if (CAIRN_WITH_SHORTCUTS && arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
             cairn_arbiter_take_turn(world, before, arbiter->path);
             return;

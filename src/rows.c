@@ -50,7 +50,8 @@ static bool keep_impulse(cairn_arbiter *arbiter, const cairn_manifold *manifold)
     bool kept = arbiter->count != 0 && row->feature == manifold->points[0].feature && !cairn_row_came_flying(row);
     row->feature = manifold->points[0].feature;
     if (!kept) {
-        row->impulse = row->load = 0;
+        row->impulse = 0;
+        row->load = 0;
     }
     return kept;
 }
@@ -82,10 +83,10 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
 {
     int old_count = arbiter->count;
     bool kept = CAIRN_MAX_POINTS == 1 ? keep_impulse(arbiter, manifold) : keep_impulses_of_two(arbiter, manifold);
-    if (!kept) {
+    if (CAIRN_WITH_FRICTION && !kept) {
         arbiter->friction_impulse = 0;
     }
-    if (!kept || old_count < 2 || arbiter->slip > CAIRN_LET_GO) {
+    if (CAIRN_WITH_HOLD && (!kept || old_count < 2 || arbiter->slip > CAIRN_LET_GO)) {
         arbiter->slip = 0; /* of one point it means something else, and in the air */
     }
     arbiter->count = (uint8_t)manifold->count;
@@ -97,6 +98,9 @@ void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, con
                 || !cairn_lever_is_short(arbiter->friction_lever_b);
     for (int i = 0; i < cairn_points_of(arbiter->count); i++) {
         careful = careful || !cairn_lever_is_short(arbiter->rows[i].lever_a) || !cairn_lever_is_short(arbiter->rows[i].lever_b);
+    }
+    if (!CAIRN_HAS_WAYS) {
+        return;
     }
     arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)CAIRN_ARBITER_CAREFUL) | cairn_flag_if(careful, CAIRN_ARBITER_CAREFUL));
 }
@@ -126,7 +130,8 @@ static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit t
  */
 static bool passes_over(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *b, const cairn_manifold *manifold)
 {
-    return CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0 && manifold->time == 0
+    return CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0
+        && (!CAIRN_WITH_CONTINUOUS || manifold->time == 0)
         && cairn_body_is_under_way(world, b);
 }
 
@@ -163,8 +168,12 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     if (passes && cairn_body_is_round(b) && !cairn_motion_is_within(b->w, 4 * world->rest_limit)) {
         arbiter->friction_lever_b = cairn_lever_in_turn(height + to_surface - b_height, cairn_body_inverse_gyration(b), world->stats.steps);
     }
-    arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
-    arbiter->path &= CAIRN_PATH_FRESH;
+    if (CAIRN_WITH_FRICTION) {
+        arbiter->friction_mass = effective_mass(arbiter, linear, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    }
+    if (CAIRN_HAS_WAYS) {
+        arbiter->path &= CAIRN_PATH_FRESH;
+    }
     if (cairn_arbiter_slips_past(a, b, arbiter)) {
         arbiter->path |= CAIRN_PATH_SLIDING;
         if (CAIRN_WITH_CONTINUOUS && manifold->time != 0) {

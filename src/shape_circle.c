@@ -21,21 +21,14 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     cairn_offset reach = ra + rb + margin, x = b->x - a->x, y = b->y - a->y;
     out->count = 0;
     out->separation = margin;
-    if (x > reach || -x > reach || y > reach || -y > reach) {
+    if (CAIRN_WITH_SHORTCUTS && (x > reach || -x > reach || y > reach || -y > reach)) {
         return;
     }
-    cairn_offset distance = cairn_unit_along(x, y, &out->normal_x, &out->normal_y);
-    if (distance > reach) {
-        return;
+    cairn_unit2 n;
+    cairn_offset distance = cairn_unit_along(x, y, &n.x, &n.y);
+    if (distance <= reach) {
+        cairn_circle_touch(ra, distance - ra - rb, n, 0, 0, out);
     }
-    cairn_manifold_point *point = &out->points[0];
-    point->separation = out->separation = distance - ra - rb;
-    cairn_offset middle = ra + cairn_offset_half(point->separation);
-    point->x = cairn_offset_mul(middle, out->normal_x);
-    point->y = cairn_offset_mul(middle, out->normal_y);
-    point->feature = 0;
-    out->steady = 0;
-    out->count = 1;
 }
 
 const cairn_shape_class cairn_circle_class = { 0, check, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };

@@ -146,10 +146,19 @@ static void turn_both(const pair_state *pair, const cairn_arbiter *arbiter, cair
     turn(pair->b, by, arbiter);
 }
 
+/* What a takes of an impulse. Where all that moves is of one mass, that is half of it or none. */
+static cairn_fine part_of_a(const cairn_arbiter *arbiter, cairn_motion change)
+{
+    if (!CAIRN_WITH_MASSES) {
+        return arbiter->share_a != 0 ? cairn_fine_half(change) : 0;
+    }
+    return cairn_fine_share(change, arbiter->share_a);
+}
+
 /* Give a row an impulse; a body of fixed position takes only its turning part. */
 static void press(pair_state *pair, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion change)
 {
-    cairn_fine of_a = cairn_fine_share(change, arbiter->share_a), of_b = cairn_fine_of(change) - of_a;
+    cairn_fine of_a = part_of_a(arbiter, change), of_b = cairn_fine_of(change) - of_a;
     if (!is_central(arbiter)) {
         turn_both(pair, arbiter, of_a, of_b, row->lever_a, row->lever_b);
     }
@@ -229,7 +238,7 @@ static void finish(const pair_state *pair, const cairn_arbiter *arbiter, cairn_m
         shift_pair(pair, arbiter, 0, 0, 0);
         return;
     }
-    cairn_fine of_a = cairn_fine_share(rub, arbiter->share_a), of_b = cairn_fine_of(rub) - of_a;
+    cairn_fine of_a = part_of_a(arbiter, rub), of_b = cairn_fine_of(rub) - of_a;
     turn_both(pair, arbiter, of_a, of_b, arbiter->friction_lever_a, arbiter->friction_lever_b);
     shift_pair(pair, arbiter, rub, of_a, of_b);
 }

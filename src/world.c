@@ -17,10 +17,9 @@ static cairn_diffused gravity_of(const cairn_world *world, cairn_real gravity, c
  * What derive() finds for the settings that a world has at first: 1/h is 240, and h^2 is the square of h as it is rounded. tests/trimmed/same_bits.c
  * holds it to that.
  */
-static cairn_wide derive_first(cairn_world *world)
+static void derive_first(cairn_world *world)
 {
-    const cairn_wide substep = CAIRN_WIDE_SCALED(128.0 / 240, -7), inverse = CAIRN_WIDE_SCALED(240.0 / 256, 8),
-                            squared = CAIRN_WIDE_SCALED(2443359174.0 / 4294967296, -15);
+    const cairn_wide substep = CAIRN_WIDE_SCALED(128.0 / 240, -7), inverse = CAIRN_WIDE_SCALED(240.0 / 256, 8);
     world->substep = substep;
     world->inverse_substep = inverse;
     world->rest_limit = CAIRN_MOTION(3277.0 / 65536 / 240); /* CAIRN_REST_SPEED */
@@ -28,7 +27,13 @@ static cairn_wide derive_first(cairn_world *world)
     world->stick = CAIRN_RATIO(1.0 / (STICK_STEPS * 4));
     world->push_out_limit = CAIRN_MOTION(3.0 / 240);
     world->speed_limit = CAIRN_MOTION(0.93 / 1.5625);
-    return squared;
+}
+
+/* At most 0.035 m a sub-step: the limit of speed is far. */
+CAIRN_ONCE cairn_diffused first_gravity(cairn_real gravity)
+{
+    const cairn_wide squared = CAIRN_WIDE_SCALED(2443359174.0 / 4294967296, -15);
+    return cairn_diffused_of_short(gravity, squared);
 }
 
 /* Powers of what the sub-step decides, of which its square is returned. */
@@ -54,7 +59,13 @@ static cairn_wide derive_any(cairn_world *world)
 /* Call after any change of rate, sub-steps, gravity or push-out. */
 static void derive(cairn_world *world)
 {
-    cairn_wide squared = CAIRN_WITH_SETTINGS ? derive_any(world) : derive_first(world);
+    if (!CAIRN_WITH_SETTINGS) {
+        derive_first(world);
+        world->gravity_x = first_gravity(world->gravity.x);
+        world->gravity_y = first_gravity(world->gravity.y);
+        return;
+    }
+    cairn_wide squared = derive_any(world);
     world->gravity_x = gravity_of(world, world->gravity.x, squared);
     world->gravity_y = gravity_of(world, world->gravity.y, squared);
 }

@@ -279,6 +279,7 @@ typedef double cairn_fine;
 static inline cairn_fine cairn_fine_of(cairn_motion a) { return a; }
 static inline cairn_motion cairn_motion_from_fine(cairn_fine a) { return a; }
 static inline cairn_fine cairn_fine_add(cairn_fine a, cairn_fine b) { return a + b; }
+static inline cairn_fine cairn_fine_half(cairn_motion a) { return a * 0.5; }
 static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s) { return a * s; }
 static inline cairn_motion cairn_fine_dir(cairn_fine a, cairn_dir d) { return a * d; }
 static inline cairn_motion cairn_fine_lever(cairn_fine a, cairn_lever j) { return a * j; }
@@ -363,6 +364,7 @@ static inline cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k)
     d.whole = x * k;
     return d;
 }
+static inline cairn_diffused cairn_diffused_of_short(cairn_real x, cairn_wide k) { return cairn_diffused_of(x, k); }
 static inline cairn_motion cairn_diffuse(cairn_diffused *d) { return d->whole; }
 
 #define CAIRN_PUSH_MAX 524288.0

@@ -411,7 +411,7 @@ static inline cairn_offset cairn_offset_from_motion(cairn_motion x) { return (x 
 static inline cairn_offset cairn_offset_half(cairn_offset x) { return x >> 1; }
 static inline cairn_offset cairn_offset_add(cairn_offset a, cairn_offset b) { return cairn_add_clamped(a, b); }
 /* The next API number that is not below x. */
-static inline cairn_extent cairn_extent_above(cairn_real x) { return (cairn_extent)(x > 0xFFFF00 ? 0xFFFF : (x + 255) >> 8); }
+CAIRN_SHARED cairn_extent cairn_extent_above(cairn_real x) { return (cairn_extent)(x > 0xFFFF00 ? 0xFFFF : (x + 255) >> 8); }
 static inline cairn_real cairn_real_from_extent(cairn_extent x) { return (cairn_real)x << 8; }
 static inline cairn_real cairn_real_from_extents(cairn_extent a, cairn_extent b) { return (cairn_real)(((uint32_t)a + b) << 8); }
 /* Of 4096 sectors of a turn, are both angles in the same? And by how much at most a point so far away moves within one. */
@@ -597,13 +597,13 @@ static inline cairn_motion cairn_motion_add_levers(cairn_motion u, cairn_motion 
 static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
 static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
 /* Do all of them lie in [-limit, limit), a constant power of two? */
-static inline bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
+CAIRN_SHARED bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
 {
     uint32_t bits = ((uint32_t)x + (uint32_t)limit) | ((uint32_t)y + (uint32_t)limit) | ((uint32_t)w + (uint32_t)limit);
     return bits < 2u * (uint32_t)limit;
 }
 /* x into [0, limit] */
-static inline cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
+CAIRN_SHARED cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
 {
     if ((uint32_t)x > (uint32_t)limit) { return x < 0 ? 0 : limit; }
     return x;
@@ -625,6 +625,7 @@ static inline cairn_fine cairn_fine_of(cairn_motion a) { return a * 2; }
 static inline cairn_motion cairn_motion_from_fine(cairn_fine a) { return a >> 1; }
 /* Saturates. */
 static inline cairn_fine cairn_fine_add(cairn_fine a, cairn_fine b) { return cairn_add_clamped(a, b); }
+static inline cairn_fine cairn_fine_half(cairn_motion a) { return a; } /* of a motion */
 static inline cairn_fine cairn_fine_share(cairn_motion a, cairn_share s)
 {
     if (CAIRN_PORT_ASKS && s == 0) { return 0; }
@@ -774,6 +775,18 @@ typedef struct cairn_diffused {
 
 /* x * k */
 cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k);
+/* The same for a k of 2^-76 to 2^-13 that is a constant, and an x of which is known that it fits. */
+static inline cairn_diffused cairn_diffused_of_short(cairn_real x, cairn_wide k)
+{
+    uint64_t size = cairn_product((uint32_t)(x < 0 ? -x : x), k.mantissa);
+    cairn_diffused d;
+    size = ((size >> (-45 - k.exponent)) + 1) >> 1;
+    size = x < 0 ? 0u - size : size;
+    d.whole = (cairn_motion)(uint32_t)(size >> 32);
+    d.fraction = (uint32_t)size;
+    d.carry = 0;
+    return d;
+}
 static inline cairn_motion cairn_diffuse(cairn_diffused *d)
 {
     d->carry += d->fraction;

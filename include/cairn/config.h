@@ -182,6 +182,13 @@
 #define CAIRN_APART static
 #endif
 
+/* The same for functions of a header. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define CAIRN_SHARED static __attribute__((noinline, unused))
+#else
+#define CAIRN_SHARED static inline
+#endif
+
 /* For functions of one file that gcc would copy to where they are called: one copy of them where bytes count and that is smaller. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define CAIRN_ONCE static __attribute__((noinline))
