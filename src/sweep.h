@@ -47,9 +47,9 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 #define CAIRN_GIVEN CAIRN_MOTION(1.0 / 16)
 
 /* By a path for which it is right, a constant where a quick way asks. */
-CAIRN_INLINE cairn_size cairn_pair_size(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+CAIRN_INLINE cairn_size cairn_pair_size(cairn_size size, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
-    cairn_size size = cairn_size_with(cairn_size_of(b->vx), b->vy);
+    size = cairn_size_with(cairn_size_with(size, b->vx), b->vy);
     with_spins = with_spins && CAIRN_WITH_TURNING;
     size = with_spins ? cairn_size_with(size, b->w) : size;
     if (path != CAIRN_PATH_ON_STATIC) {
@@ -58,9 +58,22 @@ CAIRN_INLINE cairn_size cairn_pair_size(const cairn_body *a, const cairn_body *b
     }
     return size;
 }
+/* The same in squares. */
+CAIRN_INLINE cairn_squares cairn_pair_squares(cairn_squares sum, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+{
+    sum = cairn_squares_with(cairn_squares_with(sum, b->vx), b->vy);
+    with_spins = with_spins && CAIRN_WITH_TURNING;
+    sum = with_spins ? cairn_squares_with(sum, b->w) : sum;
+    if (path != CAIRN_PATH_ON_STATIC) {
+        sum = cairn_squares_with(cairn_squares_with(sum, a->vx), a->vy);
+        sum = with_spins ? cairn_squares_with(sum, a->w) : sum;
+    }
+    return sum;
+}
 CAIRN_INLINE bool cairn_is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
-    return cairn_size_is_below(cairn_pair_size(a, b, path, with_spins), CAIRN_CALM);
+    return (CAIRN_KNOWS_SQUARES && cairn_squares_are_below(cairn_pair_squares(0, a, b, path, with_spins), CAIRN_CALM))
+        || cairn_size_is_below(cairn_pair_size(0, a, b, path, with_spins), CAIRN_CALM);
 }
 
 /* Faster pairs are not far from meeting: no sum of that question may wrap. Nor may its rounding tell. */

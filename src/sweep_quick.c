@@ -23,20 +23,32 @@ CAIRN_INLINE bool is_out(const cairn_body *a, const cairn_body *b, const cairn_a
     return CAIRN_WITH_SHORTCUTS && may_be_far && cairn_is_far(a, b, arbiter);
 }
 
+/* Calm, and so are the impulses. */
+CAIRN_INLINE bool starts_calm(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
+{
+    const cairn_row *rows = arbiter->rows;
+    if (CAIRN_KNOWS_SQUARES) {
+        cairn_squares sum = cairn_squares_with(cairn_squares_with(0, arbiter->friction_impulse), rows[0].impulse);
+        sum = has_two_points(path) ? cairn_squares_with(sum, rows[CAIRN_LAST_ROW].impulse) : sum;
+        if (cairn_squares_are_below(cairn_pair_squares(sum, a, b, path, true), CAIRN_CALM)) {
+            return true;
+        }
+    }
+    cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
+    size = has_two_points(path) ? cairn_size_with(size, rows[CAIRN_LAST_ROW].impulse) : size;
+    return cairn_size_is_below(cairn_pair_size(size, a, b, path, true), CAIRN_CALM);
+}
+
 CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)
 {
     if (is_out(a, b, arbiter, path)) {
         return;
     }
-    const cairn_row *rows = arbiter->rows;
-    cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
-    if (has_two_points(path)) {
-        size = cairn_size_with(size, rows[CAIRN_LAST_ROW].impulse);
-    }
-    if (!cairn_size_is_below(size, CAIRN_CALM) || !cairn_is_calm(a, b, path, true)) {
+    if (!starts_calm(a, b, arbiter, path)) {
         cairn_careful_warm_start(world, arbiter, from_last);
         return;
     }
+    const cairn_row *rows = arbiter->rows;
     pair_state pair = load(a, b);
     press(&pair, arbiter, &rows[0], rows[0].impulse, path);
     if (has_two_points(path)) {

@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD_ROUNDED, _KEPT, _FORGET, _ADD, _CLZ or _ASKS;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD_ROUNDED, _KEPT, _FORGET, _ADD_SQUARE, _ADD, _CLZ or _ASKS;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -596,9 +596,23 @@ static inline cairn_motion cairn_motion_add_levers(cairn_motion u, cairn_motion 
 }
 static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
 static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
+/*
+ * Are motions within a limit for sure, by the sum of their squares' upper words? For cores with one instruction for each; where it says no, sizes
+ * have to tell.
+ */
+#ifdef CAIRN_PORT_ADD_SQUARE
+#define CAIRN_KNOWS_SQUARES 1
+#else
+#define CAIRN_KNOWS_SQUARES 0
+#define CAIRN_PORT_ADD_SQUARE(sum, x) ((sum) + (uint32_t)((int64_t)(x) * (x) >> 32))
+#endif
+typedef uint32_t cairn_squares;
+static inline cairn_squares cairn_squares_with(cairn_squares sum, cairn_motion x) { return CAIRN_PORT_ADD_SQUARE(sum, x); }
+static inline bool cairn_squares_are_below(cairn_squares sum, cairn_motion limit) { return sum < (uint32_t)((int64_t)limit * limit >> 32); }
 /* Do all of them lie in [-limit, limit), a constant power of two? */
 CAIRN_SHARED bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
 {
+    if (CAIRN_KNOWS_SQUARES && cairn_squares_are_below(cairn_squares_with(cairn_squares_with(cairn_squares_with(0, x), y), w), limit)) { return true; }
     uint32_t bits = ((uint32_t)x + (uint32_t)limit) | ((uint32_t)y + (uint32_t)limit) | ((uint32_t)w + (uint32_t)limit);
     return bits < 2u * (uint32_t)limit;
 }

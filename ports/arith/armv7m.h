@@ -19,6 +19,9 @@
 #define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)
 #define CAIRN_PORT_ASKS 0
 #define CAIRN_PORT_KEPT(x) cairn_armv7m_kept(x)
+#if defined(__ARM_FEATURE_DSP) || !defined(__thumb2__)
+#define CAIRN_PORT_ADD_SQUARE(sum, x) cairn_armv7m_add_square(sum, x)
+#endif
 
 /* x / 2^shift, halves upwards */
 static inline int32_t cairn_armv7m_narrow(int64_t x, int shift)
@@ -91,6 +94,22 @@ static inline int32_t cairn_armv7m_dot32(int32_t a, int32_t b, int32_t c, int32_
     }
 #endif
     return cairn_armv7m_narrow((int64_t)a * b + (int64_t)c * d, shift);
+}
+
+/* sum + x x / 2^32, without the rest */
+static inline uint32_t cairn_armv7m_add_square(uint32_t sum, int32_t x)
+{
+#if defined(CAIRN_ARMV7M_ASM) && defined(__ARM_FEATURE_DSP)
+    uint32_t r;
+    if (__builtin_constant_p(sum) && sum == 0) {
+        __asm__("smmul %0, %1, %1" : "=r"(r) : "r"(x));
+    } else {
+        __asm__("smmla %0, %1, %1, %2" : "=r"(r) : "r"(x), "r"(sum));
+    }
+    return r;
+#else
+    return sum + (uint32_t)((int64_t)x * x >> 32);
+#endif
 }
 
 static inline int cairn_armv7m_clz(uint32_t x)
