@@ -558,9 +558,9 @@ static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap
 #define CAIRN_SOFT_BETA_64THS 9 /* share of the penetration corrected in a sub-step */
 #define CAIRN_SOFT_BETA_NUMBER (CAIRN_SOFT_BETA_64THS / 64.0)
 #define CAIRN_SOFT_BETA CAIRN_RATIO(CAIRN_SOFT_BETA_NUMBER)
-static inline cairn_motion cairn_soft_lean(cairn_motion x) { return cairn_motion_shifted(x, 3) + cairn_motion_shifted(x, 6); }
+static inline cairn_motion cairn_soft_lean(cairn_motion x) { return cairn_motion_shifted(x + cairn_motion_shifted(x, 3), 3); }
 /* 7/128: of the accumulated impulse that is given back, and that the effective mass lacks */
-static inline cairn_motion cairn_soft_yield(cairn_motion x) { return cairn_motion_shifted(x, 4) - cairn_motion_shifted(x, 7); }
+static inline cairn_motion cairn_soft_yield(cairn_motion x) { return cairn_motion_shifted(x - cairn_motion_shifted(x, 3), 4); }
 /* Greatest accumulated impulse, m per sub-step; keeps every sum of the sweeps within Q4.28. */
 #define CAIRN_IMPULSE_MAX CAIRN_MOTION(2.49)
 /* Greatest speed and spin inside of the sweeps, m per sub-step, for the same reason. */
