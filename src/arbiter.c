@@ -92,7 +92,9 @@ cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b)
     cairn_clear(arbiter, sizeof *arbiter);
     arbiter->a = a;
     arbiter->b = b;
-    arbiter->after = CAIRN_NONE;
+    if (CAIRN_WITH_SHORTCUTS) {
+        arbiter->after = CAIRN_NONE;
+    }
     if (cairn_body_is_sensing(body_a) || cairn_body_is_sensing(body_b)) {
         arbiter->flags |= CAIRN_ARBITER_SENSOR;
     }
@@ -107,7 +109,9 @@ cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b)
 
 void cairn_arbiters_begin(cairn_world *world)
 {
-    world->expected = &world->first_found;
+    if (CAIRN_WITH_SHORTCUTS) {
+        world->expected = &world->first_found;
+    }
     world->fresh = 0;
     world->slides = world->idles = false;
     /* What the solver leaves of an approach is too slow to be looked ahead for, unless something is fast. */

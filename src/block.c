@@ -258,7 +258,7 @@ static bool is_implausible(const cairn_world *world, cairn_block *block)
         before = greatest(before, cairn_push_from_motion(at->body->ux), cairn_push_from_motion(at->body->uy), cairn_push_from_motion(at->body->uw));
         after = greatest(after, at->vx, at->vy, at->vw);
     }
-    return after > 2 * before + 4 * fall + cairn_push_from_motion(world->push_out_limit);
+    return after > 2 * before + 4 * fall + cairn_push_from_motion(cairn_world_push_out_limit(world));
 }
 
 /* Impulses that would have thrown the bodies are none. */

@@ -269,7 +269,7 @@ static void set_spin(cairn_world *world, cairn_body *body, cairn_real radians_pe
     if (!cairn_body_can_turn(body)) {
         return;
     }
-    body->w = cairn_motion_from_real(radians_per_second, cairn_wide_div(world->substep, cairn_body_inverse_gyration(body)));
+    body->w = cairn_motion_from_real(radians_per_second, cairn_wide_div(cairn_world_substep(world), cairn_body_inverse_gyration(body)));
     cairn_body_limit_speed(world, body);
 }
 
@@ -279,9 +279,9 @@ static void set_velocity(cairn_world *world, cairn_body *body, cairn_vec2 veloci
         return;
     }
     world->driven = true;
-    body->vx = cairn_motion_from_real(velocity.x, world->substep);
+    body->vx = cairn_motion_from_real(velocity.x, cairn_world_substep(world));
     body->vx_carry = body->vy_carry = 0;
-    body->vy = cairn_motion_from_real(velocity.y, world->substep);
+    body->vy = cairn_motion_from_real(velocity.y, cairn_world_substep(world));
     cairn_body_limit_speed(world, body);
 }
 

@@ -40,7 +40,7 @@ cairn_status cairn_body_apply_force(cairn_world *world, cairn_body_id id, cairn_
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        add_linear(body, &body->ux, &body->uy, force, cairn_wide_mul(world->substep, world->substep));
+        add_linear(body, &body->ux, &body->uy, force, cairn_wide_mul(cairn_world_substep(world), cairn_world_substep(world)));
     }
     return status;
 }
@@ -50,7 +50,7 @@ cairn_status cairn_body_apply_torque(cairn_world *world, cairn_body_id id, cairn
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        add_angular(body, &body->uw, torque, cairn_wide_mul(world->substep, world->substep));
+        add_angular(body, &body->uw, torque, cairn_wide_mul(cairn_world_substep(world), cairn_world_substep(world)));
     }
     return status;
 }
@@ -66,7 +66,7 @@ cairn_status cairn_body_apply_impulse(cairn_world *world, cairn_body_id id, cair
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        add_linear(body, &body->vx, &body->vy, impulse, world->substep);
+        add_linear(body, &body->vx, &body->vy, impulse, cairn_world_substep(world));
         world->driven = true;
         cairn_body_limit_speed(world, body);
     }
@@ -78,7 +78,7 @@ cairn_status cairn_body_apply_angular_impulse(cairn_world *world, cairn_body_id 
     cairn_status status;
     cairn_body *body = find_dynamic(world, id, &status);
     if (body != NULL) {
-        add_angular(body, &body->w, impulse, world->substep);
+        add_angular(body, &body->w, impulse, cairn_world_substep(world));
         cairn_body_limit_speed(world, body);
     }
     return status;

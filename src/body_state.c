@@ -45,12 +45,12 @@ cairn_angle cairn_body_angle(cairn_world *world, cairn_body_id id)
 
 static cairn_vec2 velocity_of(const cairn_world *world, const cairn_body *body)
 {
-    return cairn_vec2_of(cairn_real_from_motion(body->vx, world->inverse_substep), cairn_real_from_motion(body->vy, world->inverse_substep));
+    return cairn_vec2_of(cairn_real_from_motion(body->vx, cairn_world_inverse_substep(world)), cairn_real_from_motion(body->vy, cairn_world_inverse_substep(world)));
 }
 
 static cairn_real spin_of(const cairn_world *world, const cairn_body *body)
 {
-    return cairn_real_from_motion(body->w, cairn_wide_mul(cairn_body_inverse_gyration(body), world->inverse_substep));
+    return cairn_real_from_motion(body->w, cairn_wide_mul(cairn_body_inverse_gyration(body), cairn_world_inverse_substep(world)));
 }
 
 cairn_vec2 cairn_body_velocity(cairn_world *world, cairn_body_id id)

@@ -30,7 +30,7 @@ static phase phase_of(const cairn_world *world, int substep)
     p.substep = substep;
     cairn_motion gravity = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
     p.calm = cairn_motion_ratio(gravity, CAIRN_RATIO(1.0 / 9));
-    p.gravity = p.rest = cairn_motion_clamp(gravity, CAIRN_MOTION(0.35)) * world->substeps; /* below 6 m */
+    p.gravity = p.rest = cairn_motion_clamp(gravity, CAIRN_MOTION(0.35)) * cairn_world_substeps(world); /* below 6 m */
     p.calm = p.calm < CALM ? p.calm : CALM;
     p.threshold = 0;
     return p;
@@ -40,7 +40,7 @@ static phase phase_of(const cairn_world *world, int substep)
 static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real threshold)
 {
     if (!CAIRN_WITH_QUICK_WAYS || threshold != p->threshold) { /* few games have more than one */
-        cairn_motion rest = cairn_motion_from_real(threshold, world->substep);
+        cairn_motion rest = cairn_motion_from_real(threshold, cairn_world_substep(world));
         p->threshold = threshold;
         p->rest = rest > p->gravity ? rest : p->gravity;
     }

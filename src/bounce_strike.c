@@ -115,7 +115,7 @@ static void sum_up(cairn_body *body, velocity before, cairn_motion px, cairn_mot
 static void settle(cairn_world *world, cairn_body *body, velocity before, cairn_unit time, int substep)
 {
     /* What the sub-steps to come may add to a displacement must fit, too. */
-    cairn_motion room = CAIRN_MOTION(7.99) - world->speed_limit * (world->substeps - substep);
+    cairn_motion room = CAIRN_MOTION(7.99) - cairn_world_most_speed(world) * (cairn_world_substeps(world) - substep);
     cairn_body_limit_speed(world, body);
     cairn_motion x = cairn_motion_add(body->vx, -before.x), y = cairn_motion_add(body->vy, -before.y), w = cairn_motion_add(body->w, -before.w);
     if (substep > 0) {
@@ -144,7 +144,7 @@ static void part(const cairn_world *world, cairn_impact *i)
     if (depth <= 0) {
         return;
     }
-    depth = cairn_motion_half(depth) < world->push_out_limit ? cairn_motion_half(depth) : world->push_out_limit;
+    depth = cairn_motion_half(depth) < cairn_world_push_out_limit(world) ? cairn_motion_half(depth) : cairn_world_push_out_limit(world);
     if (arbiter->share_a != 0) {
         shove(i->a, -cairn_motion_share(depth, arbiter->share_a), arbiter->normal_x, arbiter->normal_y);
     }

@@ -5,7 +5,7 @@
 static cairn_real newton_seconds(const cairn_world *world, const cairn_body *a, const cairn_body *b, cairn_motion impulse, int exponent)
 {
     cairn_wide reduced = cairn_bodies_reduced_mass(a, b);
-    return cairn_real_from_motion(impulse, cairn_wide_mul(cairn_wide_mul(reduced, cairn_wide_of(1, exponent)), world->inverse_substep));
+    return cairn_real_from_motion(impulse, cairn_wide_mul(cairn_wide_mul(reduced, cairn_wide_of(1, exponent)), cairn_world_inverse_substep(world)));
 }
 
 /* The accumulated impulse of the point with this feature. */

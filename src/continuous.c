@@ -45,15 +45,15 @@ static cairn_angle turn_of(const cairn_body *body, cairn_motion w)
 /* By the velocities of the step's start; a spin beyond the limit will be cut to it. */
 static course ahead(const cairn_world *world, const cairn_body *body, cairn_offset x, cairn_offset y)
 {
-    cairn_motion w = cairn_motion_clamp(body->w, world->speed_limit);
+    cairn_motion w = cairn_motion_clamp(body->w, cairn_world_most_speed(world));
     course c;
     c.body = body;
     c.x = x;
     c.y = y;
-    c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, cairn_body_held_x(body))) * world->substeps;
-    c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, cairn_body_held_y(body))) * world->substeps;
-    c.turn = turn_of(body, w * world->substeps);
-    c.sweep = sweep_of(body, w) * world->substeps;
+    c.dx = cairn_offset_from_motion(cairn_motion_add(body->vx, cairn_body_held_x(body))) * cairn_world_substeps(world);
+    c.dy = cairn_offset_from_motion(cairn_motion_add(body->vy, cairn_body_held_y(body))) * cairn_world_substeps(world);
+    c.turn = turn_of(body, w * cairn_world_substeps(world));
+    c.sweep = sweep_of(body, w) * cairn_world_substeps(world);
     return c;
 }
 
@@ -284,8 +284,8 @@ static void slide(const cairn_world *world, const cairn_body *a, const cairn_bod
         x += held.x;
         y += held.y;
     }
-    x *= world->substeps;
-    y *= world->substeps;
+    x *= cairn_world_substeps(world);
+    y *= cairn_world_substeps(world);
     if (larger(x, y) <= CREEP || out->separation < -GRAZE || cairn_offset_dot(x, y, out->normal_x, out->normal_y) > -CREEP) {
         return;
     }

@@ -150,6 +150,43 @@ static inline unsigned cairn_world_fast(const cairn_world *world) { return CAIRN
 static inline struct cairn_block *cairn_world_block(const cairn_world *world) { return CAIRN_WITH_BLOCKS ? world->block : NULL; }
 static inline unsigned cairn_world_blocks(const cairn_world *world) { return CAIRN_WITH_BLOCKS ? world->blocks : 0; }
 static inline const cairn_sleep_class *cairn_world_sleep(const cairn_world *world) { return CAIRN_WITH_SLEEP ? world->sleep : NULL; }
+/*
+ * What a world's settings make of its fields. Where these stay what they are at first (CAIRN_WITH_SETTINGS 0) it is constant, and no world keeps it:
+ * 60 steps a second of 4 sub-steps, and 3 m/s of push-out. tests/trimmed/same_bits.c holds them to what derive() in world.c finds.
+ */
+/* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
+#define CAIRN_STICK_STEPS 48
+static inline cairn_real cairn_world_rate(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->rate : CAIRN_F(60); }
+static inline int cairn_world_substeps(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->substeps : 4; }
+static inline cairn_motion cairn_world_most_speed(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->speed_limit : CAIRN_MOTION(0.93 / 1.5625); }
+static inline cairn_motion cairn_world_rest_limit(const cairn_world *world)
+{
+    return CAIRN_WITH_SETTINGS ? world->rest_limit : CAIRN_MOTION(3277.0 / 65536 / 240); /* CAIRN_REST_SPEED */
+}
+static inline cairn_ratio cairn_world_rest_damping(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->rest_damping : CAIRN_RATIO(1.0 / 60); }
+static inline cairn_ratio cairn_world_stick(const cairn_world *world)
+{
+    return CAIRN_WITH_SETTINGS ? world->stick : CAIRN_RATIO(1.0 / (CAIRN_STICK_STEPS * 4));
+}
+static inline cairn_motion cairn_world_push_out_limit(const cairn_world *world)
+{
+    return CAIRN_WITH_SETTINGS ? world->push_out_limit : CAIRN_MOTION(3.0 / 240);
+}
+CAIRN_ALWAYS_INLINE cairn_wide cairn_world_substep(const cairn_world *world)
+{
+    const cairn_wide at_first = CAIRN_WIDE_SCALED(128.0 / 240, -7);
+    return CAIRN_WITH_SETTINGS ? world->substep : at_first;
+}
+CAIRN_ALWAYS_INLINE cairn_wide cairn_world_inverse_substep(const cairn_world *world)
+{
+    const cairn_wide at_first = CAIRN_WIDE_SCALED(240.0 / 256, 8);
+    return CAIRN_WITH_SETTINGS ? world->inverse_substep : at_first;
+}
+/* Where there is one of a kind it is called by its own name. */
+static inline const cairn_solver_class *cairn_world_solver(const cairn_world *world) { return CAIRN_WITH_SLIDES_SOLVER ? world->solver : &cairn_solver_soft; }
+extern const cairn_broad_class cairn_broad_pairs;
+static inline const cairn_broad_class *cairn_world_broad(const cairn_world *world) { return CAIRN_WITH_QUADTREE ? world->broad : &cairn_broad_pairs; }
+
 static inline bool cairn_body_is_fixed(const cairn_body *body)
 {
     return CAIRN_WITH_FIXED_POSITION && (body->flags & CAIRN_BODY_FIXED_POSITION) != 0;
@@ -300,7 +337,6 @@ static inline cairn_body *cairn_body_skip(const cairn_world *world, cairn_body *
 }
 
 /* ---- broad phase ---- */
-extern const cairn_broad_class cairn_broad_pairs;
 /* Are the boxes at most so far apart? */
 static inline bool cairn_boxes_are_near(const cairn_body *a, const cairn_body *b, cairn_real way)
 {
@@ -486,7 +522,7 @@ static inline bool cairn_arbiter_holds(const cairn_arbiter *arbiter, const cairn
 /* How fast what two points have slipped is taken back, a sub-step. */
 static inline cairn_motion cairn_arbiter_pull(const cairn_world *world, const cairn_arbiter *arbiter)
 {
-    return !CAIRN_WITH_HOLD || arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, world->stick);
+    return !CAIRN_WITH_HOLD || arbiter->slip >= CAIRN_LET_GO ? 0 : cairn_motion_ratio_short(arbiter->slip, cairn_world_stick(world));
 }
 /* From here on nothing is known of the contact's past. */
 void cairn_arbiter_let_go(cairn_arbiter *arbiter);

@@ -152,7 +152,7 @@ static void drift_by(cairn_arbiter *arbiter, cairn_motion way)
 static void settle(const cairn_world *world, cairn_row *row)
 {
     if (row->load < cairn_motion_ratio(row->impulse, CARRIED)) {
-        row->load += cairn_motion_ratio(row->impulse - row->load, world->rest_damping);
+        row->load += cairn_motion_ratio(row->impulse - row->load, cairn_world_rest_damping(world));
     }
 }
 
@@ -160,7 +160,7 @@ static void settle(const cairn_world *world, cairn_row *row)
 static void settle_in_turn(const cairn_world *world, cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     if (((world->stats.steps + arbiter->b) & 3u) == 0
-        && is_below(a->vx, a->vy, a->w, b->vx, b->vy, b->w, world->rest_limit)) {
+        && is_below(a->vx, a->vy, a->w, b->vx, b->vy, b->w, cairn_world_rest_limit(world))) {
         settle(world, &arbiter->rows[0]);
         settle(world, &arbiter->rows[CAIRN_LAST_ROW]);
     }
@@ -208,7 +208,7 @@ CAIRN_APART bool follow_two(const cairn_world *world, cairn_arbiter *arbiter, co
         return false;
     }
     /* Twice the speed up to which bodies may come to rest is fast. */
-    cairn_motion fast = 16 * world->rest_limit * world->substeps;
+    cairn_motion fast = 16 * cairn_world_rest_limit(world) * cairn_world_substeps(world);
     cairn_motion apart = straight(&by, arbiter->normal_x, arbiter->normal_y);
     cairn_motion across = cairn_motion_along(8 * by.y, -8 * by.x, arbiter->normal_x, arbiter->normal_y)
                         + turning(&by, arbiter->friction_lever_a, arbiter->friction_lever_b);
@@ -281,7 +281,7 @@ CAIRN_APART void follow_idle(const cairn_world *world, cairn_arbiter *arbiter, c
 void cairn_arbiters_follow(cairn_world *world)
 {
     /* With an allowed penetration no gap is known. */
-    const cairn_motion deepest = world->slop != 0 ? CAIRN_MOTION(7) : world->push_out_limit < HOLD_PUSH ? -world->push_out_limit : -HOLD_PUSH;
+    const cairn_motion deepest = world->slop != 0 ? CAIRN_MOTION(7) : cairn_world_push_out_limit(world) < HOLD_PUSH ? -cairn_world_push_out_limit(world) : -HOLD_PUSH;
     const uint16_t *end = world->order + world->arbiter_count;
     cairn_arbiter *arbiters = world->arbiters;
     const cairn_body *bodies = world->bodies;

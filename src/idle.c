@@ -14,7 +14,7 @@ static bool parts(const cairn_world *world, const cairn_arbiter *arbiter, const 
     cairn_motion straight = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, arbiter->normal_x, arbiter->normal_y);
     for (const cairn_row *row = arbiter->rows; row != arbiter->rows + arbiter->count; row++) {
         cairn_motion u = straight + cairn_motion_lever(b->w, row->lever_b) - cairn_motion_lever(a->w, row->lever_a);
-        bool clear = row->gap > 0 ? u >= 0 || (-u < NEARING && row->gap + u * (world->substeps + 1) > 0) : u >= -row->gap;
+        bool clear = row->gap > 0 ? u >= 0 || (-u < NEARING && row->gap + u * (cairn_world_substeps(world) + 1) > 0) : u >= -row->gap;
         if (!clear) {
             return false;
         }

@@ -3,8 +3,8 @@
 
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 {
-    cairn_motion vx = cairn_motion_clamp(body->vx, world->speed_limit), vy = cairn_motion_clamp(body->vy, world->speed_limit);
-    cairn_motion w = cairn_motion_clamp(cairn_body_spin(body), world->speed_limit);
+    cairn_motion vx = cairn_motion_clamp(body->vx, cairn_world_most_speed(world)), vy = cairn_motion_clamp(body->vy, cairn_world_most_speed(world));
+    cairn_motion w = cairn_motion_clamp(cairn_body_spin(body), cairn_world_most_speed(world));
     if (vx != body->vx || vy != body->vy || w != cairn_body_spin(body)) {
         world->stats.saturations++;
         body->vx = vx;
@@ -27,7 +27,7 @@ static inline cairn_real way_of(const cairn_world *world, const cairn_body *body
     if (CAIRN_WITH_SLOPES && cairn_body_spin(body) != 0 && !cairn_body_is_round(body)) {
         speed += 3 * magnitude(body->w);
     }
-    return cairn_real_above_motion(speed) * world->substeps;
+    return cairn_real_above_motion(speed) * cairn_world_substeps(world);
 }
 
 cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) { return CAIRN_REACH + cairn_offset_from_real(way_of(world, body)); }
@@ -88,7 +88,9 @@ void cairn_bodies_look_ahead(cairn_world *world)
     const cairn_body *end = world->bodies + world->body_end;
     bool watches = cairn_world_continuous(world) != NULL;
     world->fast = 0;
-    world->coasted = false;
+    if (CAIRN_WITH_SHORTCUTS) {
+        world->coasted = false;
+    }
     unsigned awake = 0;
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (!cairn_body_is_active(body)) {
@@ -136,7 +138,7 @@ static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real 
     if (damping == 0 || v == 0) {
         return v;
     }
-    cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(world->rate));
+    cairn_wide c_dt = cairn_wide_div(cairn_wide_from_real(damping), cairn_wide_from_real(cairn_world_rate(world)));
     return cairn_motion_scale(v, cairn_wide_inverse(cairn_wide_add(cairn_wide_from_int(1), c_dt)));
 }
 
@@ -145,7 +147,7 @@ static cairn_motion scaled(const cairn_world *world, cairn_motion gravity, const
     if (cairn_body_is_fixed(body)) {
         return 0;
     }
-    return cairn_motion_clamp(cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale)), world->speed_limit);
+    return cairn_motion_clamp(cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale)), cairn_world_most_speed(world));
 }
 
 static inline void spin_up(cairn_body *body, cairn_motion by)
@@ -201,12 +203,12 @@ static bool is_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_moti
 static inline bool is_still(const cairn_world *world, const cairn_body *body)
 {
     return is_within(body->vx, body->vy, cairn_body_spin(body), DEAD_SPEED)
-        && is_within(body->dx, body->dy, cairn_body_turned(body), 2 * DEAD_SPEED * world->substeps);
+        && is_within(body->dx, body->dy, cairn_body_turned(body), 2 * DEAD_SPEED * cairn_world_substeps(world));
 }
 
 bool cairn_body_is_under_way(const cairn_world *world, const cairn_body *body)
 {
-    return !is_within(body->vx, body->vy, cairn_body_spin(body), cairn_motion_shifted(world->rest_limit, 2));
+    return !is_within(body->vx, body->vy, cairn_body_spin(body), cairn_motion_shifted(cairn_world_rest_limit(world), 2));
 }
 
 bool cairn_body_is_still(const cairn_world *world, const cairn_body *body) { return is_still(world, body); }
@@ -216,11 +218,11 @@ static void calm(const cairn_world *world, cairn_body *body)
     unsigned state = body->flags & (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD);
     bool stands = CAIRN_WITH_FRICTION && state == (CAIRN_BODY_GRIPS | CAIRN_BODY_HELD); /* without friction all slips */
     bool rolls = CAIRN_WITH_FRICTION && state == (CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_HELD) && cairn_body_is_round(body);
-    if ((stands || rolls) && is_within(body->vx, body->vy, cairn_body_spin(body), rolls ? cairn_motion_shifted(world->rest_limit, 2) : world->rest_limit)) {
-        body->vx -= cairn_motion_ratio(body->vx, world->rest_damping);
-        body->vy -= cairn_motion_ratio(body->vy, world->rest_damping);
+    if ((stands || rolls) && is_within(body->vx, body->vy, cairn_body_spin(body), rolls ? cairn_motion_shifted(cairn_world_rest_limit(world), 2) : cairn_world_rest_limit(world))) {
+        body->vx -= cairn_motion_ratio(body->vx, cairn_world_rest_damping(world));
+        body->vy -= cairn_motion_ratio(body->vy, cairn_world_rest_damping(world));
         if (CAIRN_WITH_TURNING) {
-            body->w -= cairn_motion_ratio(body->w, world->rest_damping);
+            body->w -= cairn_motion_ratio(body->w, cairn_world_rest_damping(world));
         }
     }
     if (!(body->flags & CAIRN_BODY_RESTLESS) && is_still(world, body)) {
@@ -246,7 +248,7 @@ CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *
     if ((slips(arbiter, pressure) || cairn_body_is_under_way(world, b)) && !(arbiter->block & CAIRN_BLOCK_NUMBER)
         && !cairn_body_is_fixed(b)) {
         cairn_motion_add_lack(&b->vx, &b->vy, pressure, arbiter->friction_impulse, arbiter->normal_x, arbiter->normal_y, (cairn_lean)arbiter->friction_lever_a,
-                              world->substeps, world->stats.steps);
+                              cairn_world_substeps(world), world->stats.steps);
     }
 }
 
@@ -340,8 +342,8 @@ static void straighten(const cairn_world *world, cairn_body *body)
         gx = scaled(world, gx, body);
         gy = scaled(world, gy, body);
     }
-    body->dx -= cairn_motion_half(gx * world->substeps);
-    body->dy -= cairn_motion_half(gy * world->substeps);
+    body->dx -= cairn_motion_half(gx * cairn_world_substeps(world));
+    body->dy -= cairn_motion_half(gy * cairn_world_substeps(world));
 }
 
 /* What took part in the sub-steps. */
@@ -370,9 +372,9 @@ void cairn_bodies_finish(cairn_world *world)
         cairn_body *next = body + 1;
         if (body->flags & (CAIRN_BODY_GOES | CAIRN_BODY_HELD)) {
             finish(world, body);
-        } else if (world->coasted) {
+        } else if (CAIRN_WITH_SHORTCUTS && world->coasted) {
             next = cairn_body_skip(world, body);
-        } else if (cairn_body_is_active(body)) {
+        } else if (CAIRN_WITH_SHORTCUTS && cairn_body_is_active(body)) { /* else all that moves goes */
             cairn_body_move(world, body);
         }
         body->ux = 0;

@@ -40,7 +40,7 @@ static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
         return 0;
     }
     cairn_motion push = cairn_motion_ratio(cairn_motion_from_offset(beyond), CAIRN_SOFT_BETA);
-    return push < -world->push_out_limit ? -world->push_out_limit : push;
+    return push < -cairn_world_push_out_limit(world) ? -cairn_world_push_out_limit(world) : push;
 }
 
 /* The impulses of a point that persists stay with it; false if it does not. */
@@ -114,13 +114,13 @@ static cairn_offset way_until(const cairn_world *world, const cairn_body *a, con
     }
     cairn_motion u = cairn_motion_along(b->vx - a->vx, b->vy - a->vy, arbiter->normal_x, arbiter->normal_y)
                    + cairn_motion_lever(b->w, row->lever_b) - cairn_motion_lever(a->w, row->lever_a);
-    return u < 0 ? cairn_offset_mul(cairn_offset_from_motion(-u) * world->substeps, time) : 0;
+    return u < 0 ? cairn_offset_mul(cairn_offset_from_motion(-u) * cairn_world_substeps(world), time) : 0;
 }
 
 /* A way at this speed from the step's start until then. */
 static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit time)
 {
-    return cairn_offset_mul(cairn_offset_from_motion(v) * world->substeps, time);
+    return cairn_offset_mul(cairn_offset_from_motion(v) * cairn_world_substeps(world), time);
 }
 
 /*
@@ -165,7 +165,7 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     cairn_offset to_surface = apart > 0 ? cairn_offset_half(apart) : 0;
     arbiter->friction_lever_a = cairn_body_lever(a, height - to_surface);
     arbiter->friction_lever_b = cairn_body_lever(b, height + to_surface - b_height);
-    if (passes && cairn_body_is_round(b) && !cairn_motion_is_within(b->w, 4 * world->rest_limit)) {
+    if (passes && cairn_body_is_round(b) && !cairn_motion_is_within(b->w, 4 * cairn_world_rest_limit(world))) {
         arbiter->friction_lever_b = cairn_lever_in_turn(height + to_surface - b_height, cairn_body_inverse_gyration(b), world->stats.steps);
     }
     if (CAIRN_WITH_FRICTION) {

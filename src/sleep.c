@@ -94,12 +94,12 @@ static void join(cairn_world *world, uint16_t a, uint16_t b)
 static bool is_within(cairn_motion v, cairn_motion limit) { return v <= limit && -v <= limit; }
 
 /* A body's count of steps has 8 bits: at rates beyond 510 a second only every second, or fourth, step adds to it. */
-static unsigned counted_in(const cairn_world *world) { return world->rate <= CAIRN_F(510) ? 0 : world->rate <= CAIRN_F(1020) ? 1 : 2; }
+static unsigned counted_in(const cairn_world *world) { return cairn_world_rate(world) <= CAIRN_F(510) ? 0 : cairn_world_rate(world) <= CAIRN_F(1020) ? 1 : 2; }
 
 static void count_rest(cairn_world *world, cairn_body *body)
 {
     unsigned counts = (world->stats.steps & ((1u << counted_in(world)) - 1)) == 0 && body->rest < 255;
-    cairn_motion limit = cairn_motion_from_real(REST_SPEED, world->substep);
+    cairn_motion limit = cairn_motion_from_real(REST_SPEED, cairn_world_substep(world));
     bool slow = is_within(body->vx, limit) && is_within(body->vy, limit) && is_within(body->w, limit);
     body->rest = (slow ? body->rest + counts : 0) & 255u;
 }
@@ -125,7 +125,7 @@ static void drop_links(cairn_world *world)
 
 static void settle(cairn_world *world)
 {
-    unsigned patience = (unsigned)(cairn_real_floor(world->rate) / 2) >> counted_in(world);
+    unsigned patience = (unsigned)(cairn_real_floor(cairn_world_rate(world)) / 2) >> counted_in(world);
     for (uint16_t i = 0; i < world->body_end; i++) {
         cairn_body *body = &world->bodies[i];
         if (cairn_body_is_active(body)) {

@@ -104,20 +104,20 @@ typedef struct fall {
 static fall fall_of(const cairn_world *world)
 {
     cairn_diffused gx = world->gravity_x, gy = world->gravity_y;
-    cairn_motion limit = world->speed_limit;
+    cairn_motion limit = cairn_world_most_speed(world);
     fall f;
     f.vx = f.vy = f.dx = f.dy = 0;
     f.is_slow = CAIRN_WITH_SHORTCUTS && cairn_motion_is_within(gx.whole, limit) && cairn_motion_is_within(gy.whole, limit)
-             && cairn_motion_is_within(gx.whole * world->substeps, limit) && cairn_motion_is_within(gy.whole * world->substeps, limit);
-    for (int k = 0; f.is_slow && k < world->substeps; k++) {
+             && cairn_motion_is_within(gx.whole * cairn_world_substeps(world), limit) && cairn_motion_is_within(gy.whole * cairn_world_substeps(world), limit);
+    for (int k = 0; f.is_slow && k < cairn_world_substeps(world); k++) {
         f.vx += cairn_diffuse(&gx);
         f.vy += cairn_diffuse(&gy);
         f.dx += f.vx;
         f.dy += f.vy;
     }
     if (f.is_slow) { /* the parabola exactly, as motion.c straightens it */
-        f.dx -= cairn_motion_half(world->gravity_x.whole * world->substeps);
-        f.dy -= cairn_motion_half(world->gravity_y.whole * world->substeps);
+        f.dx -= cairn_motion_half(world->gravity_x.whole * cairn_world_substeps(world));
+        f.dy -= cairn_motion_half(world->gravity_y.whole * cairn_world_substeps(world));
     }
     return f;
 }
@@ -127,12 +127,12 @@ static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
 {
     cairn_motion vx = body->vx + f->vx, vy = body->vy + f->vy;
     if (!CAIRN_WITH_SHORTCUTS || !f->is_slow || !(body->flags & CAIRN_BODY_PLAIN) || body->ux != 0 || body->uy != 0 || body->uw != 0
-        || !cairn_motion_is_within(vx, world->speed_limit) || !cairn_motion_is_within(vy, world->speed_limit)) {
+        || !cairn_motion_is_within(vx, cairn_world_most_speed(world)) || !cairn_motion_is_within(vy, cairn_world_most_speed(world))) {
         return false;
     }
-    body->dx = body->vx * world->substeps + f->dx;
-    body->dy = body->vy * world->substeps + f->dy;
-    body->dw = body->w * world->substeps;
+    body->dx = body->vx * cairn_world_substeps(world) + f->dx;
+    body->dy = body->vy * cairn_world_substeps(world) + f->dy;
+    body->dw = body->w * cairn_world_substeps(world);
     body->vx = vx;
     body->vy = vy;
     return true;
@@ -196,7 +196,7 @@ static void solve(cairn_world *world)
         cairn_world_block(world)->kind->find(world);
         cairn_sweep_choose_again(world);
     }
-    for (int k = 0; k < world->substeps; k++) {
+    for (int k = 0; k < cairn_world_substeps(world); k++) {
         if (cairn_world_bounce(world) != NULL) {
             cairn_world_bounce(world)->impact(world, k);
         }

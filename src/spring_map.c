@@ -142,7 +142,7 @@ void cairn_spring_map(const cairn_world *world, cairn_spring *spring)
     spring->share_a = !moves_a ? 0 : !moves_b ? CAIRN_SHARE(1) : cairn_bodies_share(a, b);
     spring->share_b = moves_b ? CAIRN_SHARE(1) - spring->share_a : 0;
     /* Where neither moves the mass is 0, and so are these. */
-    cairn_wide mass = cairn_bodies_reduced_mass(a, b), h = world->substep;
+    cairn_wide mass = cairn_bodies_reduced_mass(a, b), h = cairn_world_substep(world);
     cairn_wide stiffness = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->stiffness), cairn_wide_mul(h, h)), mass);
     cairn_wide damping = cairn_wide_div(cairn_wide_mul(cairn_wide_unpack(spring->damping), h), mass);
     if (cairn_spring_is_pin(spring)) {

@@ -205,8 +205,8 @@ static cairn_wide rod(cairn_wide amount, cairn_wide power, cairn_wide mass)
 static cairn_wide weigh(const web *w, const cairn_spring *spring, cairn_wide *stiffness, cairn_wide *damping)
 {
     cairn_wide mass = cairn_bodies_reduced_mass(&w->world->bodies[spring->a], &w->world->bodies[spring->b]);
-    *stiffness = rod(cairn_wide_unpack(spring->stiffness), square(w->world->substep), mass);
-    *damping = rod(cairn_wide_unpack(spring->damping), w->world->substep, mass);
+    *stiffness = rod(cairn_wide_unpack(spring->stiffness), square(cairn_world_substep(w->world)), mass);
+    *damping = rod(cairn_wide_unpack(spring->damping), cairn_world_substep(w->world), mass);
     return cairn_wide_add(*stiffness, *damping);
 }
 

@@ -20,7 +20,7 @@ static int path_of(const cairn_world *world, const cairn_arbiter *arbiter)
         return CAIRN_PATH_SLIDING + apart;
     }
     /* An impact may leave a contact without points: the quick ways take one at least. */
-    if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || (CAIRN_WITH_FRICTION && arbiter->kinetic_friction > CAIRN_FACTOR(1)) || world->push_out_limit > PUSH) {
+    if (arbiter->count == 0 || (arbiter->flags & CAIRN_ARBITER_CAREFUL) || arbiter->block != 0 || (CAIRN_WITH_FRICTION && arbiter->kinetic_friction > CAIRN_FACTOR(1)) || cairn_world_push_out_limit(world) > PUSH) {
         return CAIRN_PATH_CAREFUL + apart;
     }
     if (!cairn_arbiter_has_two(arbiter)) {

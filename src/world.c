@@ -2,31 +2,12 @@
 #include "engine.h"
 #include <cairn/spring.h>
 
-/* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
-#define STICK_STEPS 48
-
 /* More than the greatest speed in a sub-step makes no difference, and sums of it would not be bounded. */
 static cairn_diffused gravity_of(const cairn_world *world, cairn_real gravity, cairn_wide squared)
 {
     cairn_diffused g = cairn_diffused_of(gravity, squared);
     g.whole = cairn_motion_clamp(g.whole, world->speed_limit);
     return g;
-}
-
-/*
- * What derive() finds for the settings that a world has at first: 1/h is 240, and h^2 is the square of h as it is rounded. tests/trimmed/same_bits.c
- * holds it to that.
- */
-static void derive_first(cairn_world *world)
-{
-    const cairn_wide substep = CAIRN_WIDE_SCALED(128.0 / 240, -7), inverse = CAIRN_WIDE_SCALED(240.0 / 256, 8);
-    world->substep = substep;
-    world->inverse_substep = inverse;
-    world->rest_limit = CAIRN_MOTION(3277.0 / 65536 / 240); /* CAIRN_REST_SPEED */
-    world->rest_damping = CAIRN_RATIO(1.0 / 60);
-    world->stick = CAIRN_RATIO(1.0 / (STICK_STEPS * 4));
-    world->push_out_limit = CAIRN_MOTION(3.0 / 240);
-    world->speed_limit = CAIRN_MOTION(0.93 / 1.5625);
 }
 
 /* At most 0.035 m a sub-step: the limit of speed is far. */
@@ -44,7 +25,7 @@ static cairn_wide derive_any(cairn_world *world)
     world->substep = cairn_wide_inverse(per_second);
     world->rest_limit = cairn_motion_from_real(CAIRN_REST_SPEED, world->substep);
     world->rest_damping = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_real(world->rate)));
-    world->stick = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_int(STICK_STEPS * world->substeps)));
+    world->stick = cairn_ratio_from_wide(cairn_wide_inverse(cairn_wide_from_int(CAIRN_STICK_STEPS * world->substeps)));
     world->push_out_limit = cairn_motion_from_real(world->push_out, world->substep);
     /*
      * Within the biased pass a body holds v + beta d with d up to n v; that must stay below CAIRN_SWEEP_SPEED, and d
@@ -60,7 +41,6 @@ static cairn_wide derive_any(cairn_world *world)
 static void derive(cairn_world *world)
 {
     if (!CAIRN_WITH_SETTINGS) {
-        derive_first(world);
         world->gravity_x = first_gravity(world->gravity.x);
         world->gravity_y = first_gravity(world->gravity.y);
         return;
@@ -90,12 +70,33 @@ static void rescale(cairn_world *world, cairn_wide old)
     }
 }
 
+/* The classes and the settings of the start, as far as the build has others. */
+static void begin_with(cairn_world *world, const cairn_solver_class *solver, const cairn_continuous_class *continuous)
+{
+    if (CAIRN_WITH_SLIDES_SOLVER) {
+        world->solver = solver;
+        world->passes = 10;
+    }
+    if (CAIRN_WITH_CONTINUOUS) {
+        world->continuous = continuous;
+    }
+    if (CAIRN_WITH_QUADTREE) {
+        world->broad = &cairn_broad_pairs;
+    }
+    if (CAIRN_WITH_SETTINGS) {
+        world->rate = CAIRN_F(60);
+        world->push_out = CAIRN_F(3);
+        world->substeps = 4;
+    }
+}
+
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
                                    const cairn_continuous_class *continuous)
 {
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
         || storage->swept == NULL || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0
-        || storage->body_capacity > 65000 || storage->arbiter_capacity > 65000 || (!CAIRN_WITH_CONTINUOUS && continuous != NULL)) {
+        || storage->body_capacity > 65000 || storage->arbiter_capacity > 65000 || (!CAIRN_WITH_CONTINUOUS && continuous != NULL)
+        || (!CAIRN_WITH_SLIDES_SOLVER && solver != &cairn_solver_soft)) {
         return NULL;
     }
     cairn_world *world = storage->world;
@@ -103,35 +104,35 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     world->bodies = storage->bodies;
     world->arbiters = storage->arbiters;
     world->order = storage->order;
-    world->swept = storage->swept;
-    world->sorted = storage->sorted;
+    if (CAIRN_HAS_WAYS) {
+        world->swept = storage->swept;
+    }
+    if (CAIRN_WITH_SORT) {
+        world->sorted = storage->sorted;
+    }
     world->body_capacity = storage->body_capacity;
     world->body_free = CAIRN_NONE;
     world->arbiter_capacity = storage->arbiter_capacity;
-    world->first_found = CAIRN_NONE;
-    world->expected = &world->first_found;
+    if (CAIRN_WITH_SHORTCUTS) {
+        world->first_found = CAIRN_NONE;
+        world->expected = &world->first_found;
+    }
     for (uint16_t i = 0; i < world->arbiter_capacity; i++) {
         world->order[i] = i;
     }
-    world->solver = solver;
-    world->continuous = continuous;
-    world->broad = &cairn_broad_pairs;
-    world->rate = CAIRN_F(60);
-    world->push_out = CAIRN_F(3);
-    world->substeps = 4;
-    world->passes = 10;
+    begin_with(world, solver, continuous);
     return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
 }
 
 static void find_pairs(cairn_world *world)
 {
     uint32_t dropped = world->stats.dropped;
-    world->broad->find_pairs(world);
+    cairn_world_broad(world)->find_pairs(world);
     if (cairn_world_sleep(world) != NULL && cairn_world_sleep(world)->wake(world)) {
         world->stats.pairs = 0;
         world->stats.looked = 0;
         world->stats.dropped = dropped;
-        world->broad->find_pairs(world); /* what woke has pairs of its own */
+        cairn_world_broad(world)->find_pairs(world); /* what woke has pairs of its own */
     }
 }
 
@@ -179,7 +180,7 @@ cairn_status cairn_world_step(cairn_world *world)
     cairn_arbiters_sweep(world);
     world->stats.arbiters = world->arbiter_count;
     if (world->stats.awake != 0) {
-        world->solver->solve(world);
+        cairn_world_solver(world)->solve(world);
     }
     if (cairn_world_fast(world) != 0) {
         cairn_world_continuous(world)->clip(world);
@@ -230,7 +231,7 @@ cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity)
     if (status == CAIRN_OK) {
         world->gravity = gravity;
         derive(world);
-        for (uint16_t i = 0; i < world->body_end; i++) {
+        for (uint16_t i = 0; CAIRN_WITH_SLEEP && i < world->body_end; i++) {
             cairn_body_wake_up(world, &world->bodies[i]);
         }
     }
@@ -282,5 +283,5 @@ cairn_status cairn_world_set_push_out(cairn_world *world, cairn_real speed)
 
 cairn_real cairn_world_speed_limit(const cairn_world *world)
 {
-    return world == NULL ? 0 : cairn_real_from_motion(world->speed_limit, world->inverse_substep);
+    return world == NULL ? 0 : cairn_real_from_motion(cairn_world_most_speed(world), cairn_world_inverse_substep(world));
 }
