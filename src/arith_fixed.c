@@ -409,7 +409,7 @@ static cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
 }
 
 /* One of the two is zero. */
-static cairn_offset along_axis(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
+CAIRN_ONCE cairn_offset along_axis(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
 {
     *ux = y != 0 ? 0 : x < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
     *uy = y == 0 ? 0 : y < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);

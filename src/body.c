@@ -107,7 +107,7 @@ static bool is_built_for_material(const cairn_material *material)
 /* And a model? */
 static bool is_built_for(const cairn_body_model *model)
 {
-    bool still = model->type == CAIRN_STATIC, round = model->shape->kind->outline == NULL;
+    bool still = model->type == CAIRN_STATIC, round = cairn_shape_is_round(model->shape);
     return is_built_for_material(model->material) && (CAIRN_WITH_FIXED_POSITION || !model->fixed_position) && (CAIRN_WITH_SENSORS || !model->sensor)
         && (CAIRN_WITH_DAMPING || (model->damping == 0 && model->angular_damping == 0))
         && (CAIRN_WITH_GRAVITY_SCALE || still || model->gravity_scale == CAIRN_F(1))
@@ -213,7 +213,7 @@ static void take_model(cairn_world *world, cairn_body *body, const cairn_body_mo
     if (CAIRN_WITH_TURNING && model->type != CAIRN_STATIC && !model->fixed_rotation) {
         body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(cairn_wide_from_word(cairn_shape_gyration(model->shape))));
     }
-    if (model->material->bounce != NULL) {
+    if (CAIRN_WITH_BOUNCE && model->material->bounce != NULL) {
         world->bounce = model->material->bounce;
     }
 }
@@ -253,7 +253,7 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
 /* At an angle, if the build knows of any. */
 static bool may_stand(const cairn_body_model *model, cairn_angle angle)
 {
-    return CAIRN_WITH_SLOPES || angle == 0 || model->shape->kind->outline == NULL;
+    return CAIRN_WITH_SLOPES || angle == 0 || cairn_shape_is_round(model->shape);
 }
 
 /* After a change of where a body is or of whom it meets. */

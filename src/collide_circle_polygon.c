@@ -23,7 +23,7 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
     cairn_offset2 centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
     int edge = 0;
     out->count = 0;
-    b->shape->kind->outline(b->shape, room.corner, &polygon);
+    cairn_shape_outline(b->shape, room.corner, &polygon);
     for (int i = 0; i < polygon.count; i++) {
         cairn_offset distance = outside_of(&polygon, i, centre);
         if (distance > r + margin) {

@@ -133,8 +133,8 @@ CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_
     cairn_room room; /* for the box, if one of them is */
     cairn_outline of_a, of_b;
     counterpart from;
-    a->shape->kind->outline(a->shape, room.corner, &of_a);
-    b->shape->kind->outline(b->shape, room.corner, &of_b);
+    cairn_shape_outline(a->shape, room.corner, &of_a);
+    cairn_shape_outline(b->shape, room.corner, &of_b);
     out->at = cairn_pose_seen_from(a, b);
     out->face.separation = -CAIRN_OFFSET_MAX;
     out->face.of_b = false;
@@ -169,13 +169,13 @@ CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference 
     const cairn_pose *own = by->face.of_b ? b : a, *against = by->face.of_b ? a : b;
     cairn_outline outline;
     cairn_room room;
-    own->shape->kind->outline(own->shape, room.corner, &outline);
+    cairn_shape_outline(own->shape, room.corner, &outline);
     int edge = by->face.edge;
     cairn_offset2 from = outline.vertex[edge], to = outline.vertex[after(&outline, edge)];
     cairn_unit2 n = outline.normal[edge];
     cairn_offset length = cairn_offset_dot(to.x - from.x, to.y - from.y, -n.y, n.x);
 
-    against->shape->kind->outline(against->shape, room.corner, &outline);
+    cairn_shape_outline(against->shape, room.corner, &outline);
     int facing = incident_edge(&outline, by->face.corner, by->face.normal);
     cairn_edge_point ends[2];
     ends[0] = edge_point_of(outline.vertex[facing], &by->at, from, n);

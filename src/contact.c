@@ -19,11 +19,25 @@ static cairn_motion impulse_of(const cairn_arbiter *arbiter, uint16_t feature)
     return 0;
 }
 
+/* Where builds do not look for it: as cairn_circle_touch() does. One of the two is round. */
+static void place_point(const cairn_body *a, const cairn_body *b, cairn_manifold *manifold)
+{
+    bool first = cairn_body_is_round(a);
+    cairn_offset r = cairn_offset_from_real((first ? a : b)->model->shape->size.x);
+    cairn_unit2 n = { first ? manifold->normal_x : -manifold->normal_x, first ? manifold->normal_y : -manifold->normal_y };
+    cairn_circle_place(r, n, manifold->points[0].separation, manifold);
+    manifold->points[0].x += first ? 0 : manifold->x;
+    manifold->points[0].y += first ? 0 : manifold->y;
+}
+
 static void describe(const cairn_world *world, const cairn_arbiter *arbiter, cairn_contact *contact)
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_manifold manifold;
     cairn_bodies_collide(a, b, cairn_body_reach(world, a) + cairn_body_reach(world, b), &manifold);
+    if (!CAIRN_HAS_PLACES && manifold.count != 0) {
+        place_point(a, b, &manifold);
+    }
     contact->a = cairn_body_id_of(world, a);
     contact->b = cairn_body_id_of(world, b);
     contact->touching = (arbiter->flags & CAIRN_ARBITER_TOUCHING) != 0;

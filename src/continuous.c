@@ -111,7 +111,7 @@ static cairn_offset larger(cairn_offset x, cairn_offset y) { return magnitude(x)
 
 static cairn_offset least_radius(const cairn_body *a, const cairn_body *b)
 {
-    cairn_real ra = a->model->shape->kind->inradius(a->model->shape), rb = b->model->shape->kind->inradius(b->model->shape);
+    cairn_real ra = cairn_shape_inradius(a->model->shape), rb = cairn_shape_inradius(b->model->shape);
     return cairn_offset_from_real(ra < rb ? ra : rb);
 }
 
@@ -352,7 +352,7 @@ CAIRN_ONCE cairn_unit core_time(const cairn_body *fast, const cairn_body *other)
     course path = behind(fast, 0, 0);
     course obstacle = behind(other, cairn_bodies_apart_x(fast, other),
                              cairn_bodies_apart_y(fast, other));
-    cairn_offset core = cairn_offset_from_real(fast->model->shape->kind->inradius(fast->model->shape));
+    cairn_offset core = cairn_offset_from_real(cairn_shape_inradius(fast->model->shape));
     cairn_unit time = 0;
     for (int i = 0; i < ADVANCES; i++) {
         cairn_manifold contact;

@@ -46,7 +46,7 @@ CAIRN_ONCE void draw_polygon(const cairn_debug_draw *draw, cairn_body_id id, con
     }
     cairn_unit c, s;
     cairn_angle_rotation(body->angle, &c, &s);
-    body->model->shape->kind->outline(body->model->shape, room.corner, &outline);
+    cairn_shape_outline(body->model->shape, room.corner, &outline);
     for (int i = 0; i < outline.count; i++) {
         cairn_offset2 corner = cairn_offset2_turned(outline.vertex[i], c, s);
         corners[i] = cairn_body_point(body, corner.x, corner.y);
@@ -65,7 +65,7 @@ cairn_status cairn_debug_draw_bodies(cairn_world *world, const cairn_debug_draw 
         if (!(body->flags & CAIRN_BODY_USED)) {
             continue;
         }
-        if (body->model->shape->kind->outline == NULL) {
+        if (cairn_shape_is_round(body->model->shape)) {
             draw_circle(draw, cairn_body_id_of(world, body), body);
         } else {
             draw_polygon(draw, cairn_body_id_of(world, body), body);

@@ -125,6 +125,11 @@ static inline bool cairn_body_is_stirring(const cairn_body *body)
 /* ---- shape_measure.c ---- */
 cairn_wide_word cairn_shape_area(const cairn_shape *shape);
 cairn_wide_word cairn_shape_gyration(const cairn_shape *shape);
+/* Radius of a disc about the centre of mass that the shape covers. */
+cairn_real cairn_shape_inradius(const cairn_shape *shape);
+/* The outline in the shape's own frame, of what is not round. A box's corners are written to the room for four that is given. */
+void cairn_shape_outline(const cairn_shape *shape, cairn_offset2 *room, struct cairn_outline *out);
+static inline bool cairn_shape_is_round(const cairn_shape *shape) { return shape->kind->rank == 0; }
 
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
 cairn_wide_word cairn_body_mass_word(const cairn_body *body);
@@ -226,7 +231,7 @@ static inline cairn_motion cairn_motion_by_mass(cairn_motion u, cairn_ratio mass
 }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_body_inverse_gyration(const cairn_body *body) { return cairn_wide_unpack(body->inverse_gyration); }
 
-static inline bool cairn_body_is_round(const cairn_body *body) { return body->model->shape->kind->outline == NULL; }
+static inline bool cairn_body_is_round(const cairn_body *body) { return cairn_shape_is_round(body->model->shape); }
 
 /*
  * During the search for contacts dx and dy are the cosine and sine of the angle where the narrow phase has asked for them
@@ -394,6 +399,12 @@ static inline cairn_unit2 cairn_unit2_turned(cairn_unit2 n, cairn_unit c, cairn_
     return r;
 }
 
+/*
+ * Does the step ask where a contact's points lie? Not where there is one and nothing turns: contact.c finds it for the game then, on the line
+ * through the centre of what is round.
+ */
+#define CAIRN_HAS_PLACES (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_SLOPES || CAIRN_WITH_CONTINUOUS)
+
 typedef struct cairn_manifold_point {
     cairn_offset x, y;       /* half way between the surfaces, relative to the first body's centre of mass */
     cairn_offset separation;
@@ -422,17 +433,28 @@ static inline uint16_t cairn_feature(int reference, int incident, int end, bool 
     return (uint16_t)(swapped ? incident << 5 | reference << 1 | (1 - end) : reference << 5 | incident << 1 | end);
 }
 
+/* Where it meets what lies in direction n from its centre. */
+static inline void cairn_circle_place(cairn_offset r, cairn_unit2 n, cairn_offset separation, cairn_manifold *out)
+{
+    cairn_offset middle = r + cairn_offset_half(separation);
+    out->points[0].x = cairn_offset_mul(middle, n.x);
+    out->points[0].y = cairn_offset_mul(middle, n.y);
+}
+
 /* The contact of a circle of radius r with a polygon's surface in direction n from the circle. */
 CAIRN_SHARED void cairn_circle_touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
 {
-    cairn_offset middle = r + cairn_offset_half(separation);
     out->normal_x = n.x;
     out->normal_y = n.y;
-    out->points[0].x = cairn_offset_mul(middle, n.x);
-    out->points[0].y = cairn_offset_mul(middle, n.y);
-    out->points[0].separation = out->separation = separation;
+    if (CAIRN_HAS_PLACES) {
+        cairn_circle_place(r, n, separation, out);
+    }
+    out->points[0].separation = separation;
     out->points[0].feature = (uint16_t)feature;
-    out->steady = steady;
+    if (CAIRN_WITH_CONTINUOUS) {
+        out->separation = separation;
+        out->steady = steady;
+    }
     out->count = 1;
 }
 

@@ -27,6 +27,9 @@ static void turn_round(cairn_manifold *manifold)
 {
     manifold->normal_x = -manifold->normal_x;
     manifold->normal_y = -manifold->normal_y;
+    if (!CAIRN_HAS_PLACES) {
+        return;
+    }
     int count = CAIRN_MAX_POINTS == 1 ? manifold->count != 0 : manifold->count;
     for (int i = 0; i < count; i++) {
         manifold->points[i].x += manifold->x;

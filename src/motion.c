@@ -35,7 +35,7 @@ cairn_offset cairn_body_reach(const cairn_world *world, const cairn_body *body) 
 /* More than this in a step, m, is brisk; less is in the margin of every box. */
 #define BRISK CAIRN_F(0.00125)
 
-static bool is_long(cairn_real way, const cairn_shape *shape) { return way > BRISK && 4 * way > shape->kind->inradius(shape); }
+static bool is_long(cairn_real way, const cairn_shape *shape) { return way > BRISK && 4 * way > cairn_shape_inradius(shape); }
 
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body) { return is_long(way_of(world, body), body->model->shape); }
 

@@ -59,7 +59,7 @@ static cairn_offset scaled(const target *s, cairn_offset x)
     return s->quartered ? cairn_offset_half(cairn_offset_half(x)) : x;
 }
 
-static bool is_circle(const target *s) { return s->body->model->shape->kind->outline == NULL; }
+static bool is_circle(const target *s) { return cairn_shape_is_round(s->body->model->shape); }
 
 /* span: the sum of the sizes of the body's box and of what is asked. */
 static void set_target(target *s, const cairn_body *body, cairn_real span)
@@ -71,7 +71,7 @@ static void set_target(target *s, const cairn_body *body, cairn_real span)
         return;
     }
     cairn_body_facing(body, &s->c, &s->s);
-    body->model->shape->kind->outline(body->model->shape, s->room.corner, &s->outline);
+    cairn_shape_outline(body->model->shape, s->room.corner, &s->outline);
 }
 
 static cairn_offset2 relative(const target *s, cairn_vec2 point)

@@ -152,8 +152,8 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     for (int i = 0; i < cairn_points_of(manifold->count); i++) {
         const cairn_manifold_point *point = &manifold->points[i];
         cairn_row *row = &arbiter->rows[i];
-        cairn_offset arm = cairn_offset_dot(point->x, point->y, -ny, nx);
-        cairn_offset here = cairn_offset_dot(point->x, point->y, nx, ny);
+        cairn_offset arm = CAIRN_HAS_PLACES ? cairn_offset_dot(point->x, point->y, -ny, nx) : 0; /* of nothing that turns */
+        cairn_offset here = CAIRN_HAS_PLACES ? cairn_offset_dot(point->x, point->y, nx, ny) : 0;
         height = i == 0 ? here : height + cairn_offset_half(here - height);
         apart = i == 0 || point->separation < apart ? point->separation : apart;
         row->lever_a = cairn_body_lever(a, -arm);

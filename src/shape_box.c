@@ -10,11 +10,6 @@ static cairn_status check(const cairn_shape *shape)
     return cairn_real_is_short(w, h, 2 * CAIRN_SHAPE_RADIUS_MAX) ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_real inradius(const cairn_shape *shape)
-{
-    return cairn_real_half(shape->size.x < shape->size.y ? shape->size.x : shape->size.y);
-}
-
 static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
 
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
@@ -27,22 +22,6 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     *y = cairn_real_above_offset(CAIRN_WITH_SLOPES ? cairn_offset_dot(w, h, s, c) : h);
 }
 
-static const cairn_unit2 normals[4] = { { CAIRN_UNIT(1), 0 }, { 0, CAIRN_UNIT(1) }, { -CAIRN_UNIT(1), 0 }, { 0, -CAIRN_UNIT(1) } };
-
-static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
-{
-    cairn_offset w = cairn_offset_half(cairn_offset_from_real(shape->size.x));
-    cairn_offset h = cairn_offset_half(cairn_offset_from_real(shape->size.y));
-    for (int i = 0; i < 4; i++) { /* from the lower right on */
-        room[i].x = i < 2 ? w : -w;
-        room[i].y = i == 1 || i == 2 ? h : -h;
-    }
-    out->count = 4;
-    out->inradius = (w < h ? w : h) - CAIRN_OUTLINE_ROUNDING;
-    out->vertex = room;
-    out->normal = normals;
-}
-
 const cairn_shape_class cairn_box_class = {
-    1, check, inradius, extents, outline, { cairn_collide_circle_box, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
+    1, check, extents, { cairn_collide_circle_box, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
 };

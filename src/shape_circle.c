@@ -6,8 +6,6 @@ static cairn_status check(const cairn_shape *shape)
     return shape->size.x >= CAIRN_SHAPE_RADIUS_MIN && shape->size.x <= CAIRN_CIRCLE_RADIUS_MAX ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_real inradius(const cairn_shape *shape) { return shape->size.x; }
-
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
 {
     (void)c;
@@ -31,4 +29,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     }
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, inradius, extents, NULL, { cairn_collide_circles, NULL, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, extents, { cairn_collide_circles, NULL, NULL } };

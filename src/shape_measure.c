@@ -1,7 +1,8 @@
-/* How much of a shape there is: its area and radius of gyration. They serve where a body is made and where its mass is asked for. */
+/*
+ * What only some games ask of a shape, by its kind and no pointers of a class, so that it is linked only where it is asked for: its area and radius of
+ * gyration, where a body is made and where its mass is asked for; how thick it is; and its outline.
+ */
 #include "engine.h"
-
-static bool is_circle(const cairn_shape *shape) { return shape->kind->outline == NULL; }
 
 static cairn_wide_word square_of(cairn_real x)
 {
@@ -15,7 +16,7 @@ cairn_wide_word cairn_shape_area(const cairn_shape *shape)
     if (CAIRN_WITH_POLYGONS && shape->polygon != NULL) {
         return cairn_wide_to_word(shape->polygon->mass.area);
     }
-    if (is_circle(shape)) {
+    if (cairn_shape_is_round(shape)) {
         return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_word(square_of(x)), CAIRN_WIDE_PI));
     }
     return cairn_wide_to_word(cairn_wide_mul(cairn_wide_from_real(x), cairn_wide_from_real(shape->size.y)));
@@ -27,7 +28,7 @@ cairn_wide_word cairn_shape_gyration(const cairn_shape *shape)
     if (CAIRN_WITH_POLYGONS && shape->polygon != NULL) {
         return cairn_wide_to_word(shape->polygon->mass.gyration);
     }
-    bool circle = is_circle(shape);
+    bool circle = cairn_shape_is_round(shape);
     cairn_wide square = cairn_wide_from_word(square_of(shape->size.x));
     if (!circle) {
         square = cairn_wide_add(square, cairn_wide_from_word(square_of(shape->size.y)));
@@ -46,4 +47,41 @@ cairn_status cairn_shape_measure(const cairn_shape *shape, cairn_mass_data *out)
         out->gyration = cairn_wide_from_word(cairn_shape_gyration(shape));
     }
     return status;
+}
+
+cairn_real cairn_shape_inradius(const cairn_shape *shape)
+{
+    if (CAIRN_WITH_POLYGONS && shape->polygon != NULL) {
+        return cairn_real_from_offset(shape->polygon->inradius);
+    }
+    return cairn_shape_is_round(shape) ? shape->size.x : cairn_real_half(shape->size.x < shape->size.y ? shape->size.x : shape->size.y);
+}
+
+static const cairn_unit2 normals[4] = { { CAIRN_UNIT(1), 0 }, { 0, CAIRN_UNIT(1) }, { -CAIRN_UNIT(1), 0 }, { 0, -CAIRN_UNIT(1) } };
+
+static void outline_of_box(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
+{
+    cairn_offset w = cairn_offset_half(cairn_offset_from_real(shape->size.x));
+    cairn_offset h = cairn_offset_half(cairn_offset_from_real(shape->size.y));
+    for (int i = 0; i < 4; i++) { /* from the lower right on */
+        room[i].x = i < 2 ? w : -w;
+        room[i].y = i == 1 || i == 2 ? h : -h;
+    }
+    out->count = 4;
+    out->inradius = (w < h ? w : h) - CAIRN_OUTLINE_ROUNDING;
+    out->vertex = room;
+    out->normal = normals;
+}
+
+void cairn_shape_outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
+{
+    const cairn_polygon *polygon = shape->polygon;
+    if (!CAIRN_WITH_POLYGONS || polygon == NULL) {
+        outline_of_box(shape, room, out);
+        return;
+    }
+    out->count = polygon->count;
+    out->inradius = polygon->inradius - CAIRN_OUTLINE_ROUNDING;
+    out->vertex = polygon->vertex;
+    out->normal = polygon->normal;
 }

@@ -7,8 +7,6 @@ static cairn_status check(const cairn_shape *shape)
     return polygon != NULL && polygon->count >= 3 && polygon->count <= CAIRN_MAX_VERTICES ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
-static cairn_real inradius(const cairn_shape *shape) { return cairn_real_from_offset(shape->polygon->inradius); }
-
 static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
 {
     const cairn_polygon *polygon = shape->polygon;
@@ -25,16 +23,7 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
     *y = cairn_real_above_offset(far_y);
 }
 
-static void outline(const cairn_shape *shape, cairn_offset2 *room, cairn_outline *out)
-{
-    (void)room;
-    out->count = shape->polygon->count;
-    out->inradius = shape->polygon->inradius - CAIRN_OUTLINE_ROUNDING;
-    out->vertex = shape->polygon->vertex;
-    out->normal = shape->polygon->normal;
-}
-
 const cairn_shape_class cairn_polygon_class = {
-    2, check, inradius, extents, outline,
+    2, check, extents,
     { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_polygons), CAIRN_OF_TWO(cairn_collide_polygons) }
 };

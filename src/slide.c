@@ -6,7 +6,7 @@
  */
 #include "sweep.h"
 
-static bool is_polygon(const cairn_body *body) { return body->model->shape->kind->outline != NULL; }
+static bool is_polygon(const cairn_body *body) { return !cairn_shape_is_round(body->model->shape); }
 
 bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b)
 {
@@ -16,7 +16,7 @@ bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b)
 /* Within half of its size? What goes farther in a sub-step only flies past. */
 static bool is_within_half(const cairn_body *body, cairn_motion way)
 {
-    cairn_motion half = cairn_motion_half(cairn_motion_from_offset(cairn_offset_from_real(body->model->shape->kind->inradius(body->model->shape))));
+    cairn_motion half = cairn_motion_half(cairn_motion_from_offset(cairn_offset_from_real(cairn_shape_inradius(body->model->shape))));
     return way <= half && -way <= half;
 }
 

@@ -116,6 +116,10 @@ static inline bool cairn_add_plain(int32_t a, int32_t b, int32_t *sum)
 static inline int cairn_clz_plain(uint32_t x)
 {
     int n = 32;
+    if (CAIRN_SMALL) {
+        for (; x != 0; x >>= 1) { n--; }
+        return n;
+    }
     if (x >> 16) { n -= 16; x >>= 16; }
     if (x >> 8) { n -= 8; x >>= 8; }
     if (x >> 4) { n -= 4; x >>= 4; }

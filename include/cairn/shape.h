@@ -46,12 +46,8 @@ typedef struct cairn_mass_data {
 typedef struct cairn_shape_class {
     uint8_t rank;
     cairn_status (*check)(const struct cairn_shape *shape);
-    /* Radius of a disc about the centre of mass that the shape covers. */
-    cairn_real (*inradius)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
-    /* The outline in the shape's own frame; null for circles. A box's corners are written to the room for four that is given. */
-    void (*outline)(const struct cairn_shape *shape, cairn_offset2 *room, struct cairn_outline *out);
     /* The contact of a (of lower or equal rank) with b, seen from a's centre of mass; by the rank of a. */
     void (*collide[3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
 } cairn_shape_class;
