@@ -10,6 +10,12 @@ static uint32_t key_of(uint16_t a, uint16_t b) { return (uint32_t)a << 16 | b; }
 static uint16_t place_of(const cairn_world *world, uint32_t key)
 {
     uint16_t low = 0, high = world->arbiter_count;
+    while (!CAIRN_WITH_SORT && low < high && key_of(cairn_arbiter_at(world, low)->a, cairn_arbiter_at(world, low)->b) < key) {
+        low++; /* of a few */
+    }
+    if (!CAIRN_WITH_SORT) {
+        return low;
+    }
     while (low < high) {
         uint16_t middle = (uint16_t)(low + ((high - low) >> 1));
         const cairn_arbiter *arbiter = cairn_arbiter_at(world, middle);
@@ -35,8 +41,11 @@ static void expect_after(cairn_world *world, cairn_arbiter *arbiter)
 cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b)
 {
     uint16_t place = place_of(world, key_of(a, b));
-    cairn_arbiter *arbiter = place < world->arbiter_count ? cairn_arbiter_at(world, place) : NULL;
-    if (arbiter == NULL || arbiter->a != a || arbiter->b != b) {
+    if (place == world->arbiter_count) {
+        return NULL;
+    }
+    cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
+    if (arbiter->a != a || arbiter->b != b) {
         return NULL;
     }
     expect_after(world, arbiter);

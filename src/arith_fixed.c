@@ -411,9 +411,10 @@ static cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
 /* One of the two is zero. */
 CAIRN_ONCE cairn_offset along_axis(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
 {
-    *ux = y != 0 ? 0 : x < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
-    *uy = y == 0 ? 0 : y < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
-    return with_sign(magnitude(x) + magnitude(y), 1);
+    cairn_offset along = y != 0 ? y : x;
+    *ux = *uy = 0;
+    *(y != 0 ? uy : ux) = along < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
+    return with_sign(magnitude(along), 1);
 }
 
 cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)

@@ -247,7 +247,9 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
     cairn_body_refresh_extents(body);
-    world->placed = true;
+    if (CAIRN_WITH_QUADTREE) {
+        world->placed = true;
+    }
 }
 
 /* At an angle, if the build knows of any. */

@@ -130,6 +130,20 @@ cairn_real cairn_shape_inradius(const cairn_shape *shape);
 /* The outline in the shape's own frame, of what is not round. A box's corners are written to the room for four that is given. */
 void cairn_shape_outline(const cairn_shape *shape, cairn_offset2 *room, struct cairn_outline *out);
 static inline bool cairn_shape_is_round(const cairn_shape *shape) { return shape->kind->rank == 0; }
+/* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). Where nothing turns they are those of the shape. */
+#define CAIRN_HAS_EXTENTS (CAIRN_WITH_SLOPES || CAIRN_WITH_POLYGONS)
+static inline void cairn_shape_extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
+{
+    if (CAIRN_HAS_EXTENTS) {
+        shape->kind->extents(shape, c, s, x, y);
+        return;
+    }
+    *x = *y = shape->size.x;
+    if (!cairn_shape_is_round(shape)) {
+        *x = cairn_real_above_offset(cairn_offset_half(cairn_offset_from_real(*x)));
+        *y = cairn_real_above_offset(cairn_offset_half(cairn_offset_from_real(shape->size.y)));
+    }
+}
 
 /* kg; zero if not dynamic. By the model each time, for a mass is asked for where contacts and springs begin and not in the step. */
 cairn_wide_word cairn_body_mass_word(const cairn_body *body);

@@ -46,7 +46,7 @@ static void set_extents(cairn_body *body, bool brisk)
     cairn_real margin = cairn_real_above_offset(CAIRN_REACH) + BRISK, x, y, wider = 0, higher = 0;
     cairn_unit c, s;
     cairn_body_facing(body, &c, &s);
-    shape->kind->extents(shape, c, s, &x, &y);
+    cairn_shape_extents(shape, c, s, &x, &y);
     if (CAIRN_WITH_SLOPES && cairn_body_can_turn(body) && !cairn_body_is_round(body)) {
         wider = brisk ? cairn_real_wide_sector(y) : cairn_real_sector(y);
         higher = brisk ? cairn_real_wide_sector(x) : cairn_real_sector(x);
@@ -179,7 +179,7 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
         body->vy = cairn_motion_add(body->vy + scaled(world, gy, body), fy);
         spin_up(body, fw);
     }
-    if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
+    if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
         cairn_body_limit_speed(world, body);
     }
 }
@@ -356,7 +356,7 @@ static inline void finish(cairn_world *world, cairn_body *body)
             straighten(world, body);
         }
     }
-    if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
+    if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
         cairn_body_limit_speed(world, body);
     }
     body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS);

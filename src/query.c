@@ -33,7 +33,7 @@ static region region_about(const cairn_body *body)
     cairn_real x, y, step = cairn_real_above_offset(0);
     cairn_unit c, s;
     cairn_body_facing(body, &c, &s);
-    body->model->shape->kind->extents(body->model->shape, c, s, &x, &y);
+    cairn_shape_extents(body->model->shape, c, s, &x, &y);
     r.lower = cairn_vec2_of(body->x - x, body->y - y);
     r.upper = cairn_vec2_of(body->x + x + step, body->y + y + step);
     return r;

@@ -51,7 +51,9 @@ static bool keep_impulse(cairn_arbiter *arbiter, const cairn_manifold *manifold)
     row->feature = manifold->points[0].feature;
     if (!kept) {
         row->impulse = 0;
-        row->load = 0;
+        if (CAIRN_WITH_HOLD) {
+            row->load = 0;
+        }
     }
     return kept;
 }
@@ -156,15 +158,21 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
         cairn_offset here = CAIRN_HAS_PLACES ? cairn_offset_dot(point->x, point->y, nx, ny) : 0;
         height = i == 0 ? here : height + cairn_offset_half(here - height);
         apart = i == 0 || point->separation < apart ? point->separation : apart;
-        row->lever_a = cairn_body_lever(a, -arm);
-        row->lever_b = cairn_body_lever(b, b_arm - arm);
+        if (CAIRN_WITH_TURNING) {
+            row->lever_a = cairn_body_lever(a, -arm);
+            row->lever_b = cairn_body_lever(b, b_arm - arm);
+        }
         row->gap = gap_of(world, point->separation + way_until(world, a, b, arbiter, row, manifold->time));
-        row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
+        if (CAIRN_WITH_TURNING || CAIRN_WITH_FIXED_POSITION || CAIRN_HAS_WAYS) { /* else nobody asks: it is 1 */
+            row->mass = effective_mass(arbiter, linear, row->lever_a, row->lever_b);
+        }
     }
     /* Friction acts where the surfaces meet: each body's own, as long as they are apart. */
     cairn_offset to_surface = apart > 0 ? cairn_offset_half(apart) : 0;
-    arbiter->friction_lever_a = cairn_body_lever(a, height - to_surface);
-    arbiter->friction_lever_b = cairn_body_lever(b, height + to_surface - b_height);
+    if (CAIRN_WITH_TURNING || CAIRN_WITH_SLOPES) {
+        arbiter->friction_lever_a = cairn_body_lever(a, height - to_surface);
+        arbiter->friction_lever_b = cairn_body_lever(b, height + to_surface - b_height);
+    }
     if (passes && cairn_body_is_round(b) && !cairn_motion_is_within(b->w, 4 * cairn_world_rest_limit(world))) {
         arbiter->friction_lever_b = cairn_lever_in_turn(height + to_surface - b_height, cairn_body_inverse_gyration(b), world->stats.steps);
     }

@@ -12,7 +12,7 @@
 #include <cairn/spring.h>
 
 /* Only contacts ask how far it has moved: what hangs on springs alone need not lean. */
-static inline bool may_lean(const cairn_body *body) { return (body->flags & CAIRN_BODY_MET) != 0; }
+static inline bool may_lean(const cairn_body *body) { return (!CAIRN_WITH_SPRINGS && !CAIRN_WITH_SHORTCUTS) || (body->flags & CAIRN_BODY_MET) != 0; }
 
 static inline void lean(cairn_body *body)
 {
@@ -83,7 +83,7 @@ CAIRN_APART void advance(cairn_world *world)
                 body->w -= cairn_soft_lean(body->dw);
             }
         }
-        if (!cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
+        if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
             cairn_body_limit_speed(world, body);
         }
         body->dx += body->vx;
@@ -160,10 +160,13 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
     const cairn_body *end = world->bodies + world->body_end;
     cairn_body *idle = NULL;
     unsigned moved = 0;
-    world->coasted = CAIRN_WITH_SHORTCUTS && cairn_world_fast(world) == 0 && cairn_world_bounce(world) == NULL; /* else continuous.c may have to look at all ways */
+    bool coasts = CAIRN_WITH_SHORTCUTS && cairn_world_fast(world) == 0 && cairn_world_bounce(world) == NULL; /* else continuous.c may have to look at all ways */
+    if (CAIRN_WITH_SHORTCUTS) {
+        world->coasted = coasts;
+    }
     for (cairn_body *body = world->bodies; body != end; body++) {
         if (goes(world, body, f)) {
-            if (idle != NULL) {
+            if (CAIRN_WITH_SHORTCUTS && idle != NULL) {
                 idle->ux = (cairn_motion)(body - world->bodies);
                 idle = NULL;
             }
@@ -172,7 +175,7 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
             moved++;
             continue;
         }
-        if (world->coasted && cairn_body_is_active(body)) {
+        if (coasts && cairn_body_is_active(body)) {
             cairn_body_move(world, body);
         }
         if (CAIRN_WITH_SHORTCUTS && idle == NULL && !(body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING))) {

@@ -108,7 +108,7 @@ static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pa
     while (at != end) {
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned path = arbiter->path;
-        bool begins_with_last = (path & from_last) != 0;
+        bool begins_with_last = CAIRN_MAX_POINTS > 1 && (path & from_last) != 0;
         if (CAIRN_WITH_QUICK_WAYS) {
             at = quick[path & CAIRN_PATH_ALIKE ? 0 : path & CAIRN_PATH_TURN](world, at, end, begins_with_last);
         } else {

@@ -204,6 +204,12 @@ static void shift(cairn_body *body, cairn_motion x, cairn_motion y)
     }
 }
 
+/* Along the normal, or back: the product is rounded first. */
+CAIRN_ONCE void push_along(cairn_body *body, cairn_fine push, cairn_dir nx, cairn_dir ny, int sign)
+{
+    shift(body, sign * cairn_fine_dir(push, nx), sign * cairn_fine_dir(push, ny));
+}
+
 /* A share of a change of the velocity to one another: of what slides, which has one point or two, with what is cut off carried. */
 static void shift_sliding(cairn_body *body, cairn_share share, cairn_motion x, cairn_motion y)
 {
@@ -223,8 +229,8 @@ static void shift_pair(const pair_state *pair, const cairn_arbiter *arbiter, cai
         shift_sliding(pair->a, arbiter->share_a, -x, -y);
         shift_sliding(pair->b, cairn_arbiter_share_b(arbiter), x, y);
     } else if (!CAIRN_WITH_FRICTION) {
-        shift(pair->a, -cairn_fine_dir(pair->push_a, nx), -cairn_fine_dir(pair->push_a, ny));
-        shift(pair->b, cairn_fine_dir(pair->push_b, nx), cairn_fine_dir(pair->push_b, ny));
+        push_along(pair->a, pair->push_a, nx, ny, -1);
+        push_along(pair->b, pair->push_b, nx, ny, 1);
     } else {
         shift(pair->a, -cairn_fine_along(pair->push_a, -rub_a, nx, ny), -cairn_fine_along(rub_a, pair->push_a, nx, ny));
         shift(pair->b, cairn_fine_along(pair->push_b, -rub_b, nx, ny), cairn_fine_along(rub_b, pair->push_b, nx, ny));
@@ -255,8 +261,22 @@ void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, 
     finish(&pair, arbiter, cairn_motion_clamp(arbiter->friction_impulse, CAIRN_IMPULSE_MAX));
 }
 
+/* All that a biased or a relax pass is where nothing turns or rubs. */
+#define IS_PUSH_ALONE (!CAIRN_WITH_TURNING && !CAIRN_WITH_FRICTION && CAIRN_MAX_POINTS == 1)
+CAIRN_APART void push_alone(const cairn_world *world, cairn_arbiter *arbiter, row_rule *rule, cairn_motion most)
+{
+    pair_state pair = pair_of(world, arbiter);
+    pair.most = goes_quick(&pair, arbiter, false) ? most : CAIRN_IMPULSE_MAX;
+    press_rows(&pair, arbiter, rule, false);
+    shift_pair(&pair, arbiter, 0, 0, 0);
+}
+
 void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
+    if (IS_PUSH_ALONE) {
+        push_alone(world, arbiter, biased, CAIRN_CLOSED);
+        return;
+    }
     pair_state pair = pair_of(world, arbiter);
     if (!is_central(arbiter)) {
         limit_spins(&pair);
@@ -281,6 +301,10 @@ static cairn_motion rub(const pair_state *pair, const cairn_world *world, cairn_
 
 void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
+    if (IS_PUSH_ALONE) {
+        push_alone(world, arbiter, relaxed, CAIRN_GIVEN);
+        return;
+    }
     pair_state pair = pair_of(world, arbiter);
     const cairn_body *a = pair.a, *b = pair.b;
     cairn_motion across = 0;

@@ -67,12 +67,12 @@ typedef struct cairn_world_stats {
     uint16_t bodies, awake; /* now; a platform that stands still is not awake */
     uint16_t pairs;         /* whose boxes overlap */
     uint16_t arbiters, points;
-    uint16_t springs;
-    uint16_t tree_cells, tree_entries; /* of the quadtree */
     /* What did not cost anything is the rest: */
     uint16_t looked; /* pairs whose shapes were compared; other contacts are held from the step before */
     uint16_t solved; /* arbiters that took part in the sub-steps; others are apart, idle, asleep or a sensor's */
     uint16_t moved;  /* bodies that took part in the sub-steps; others that are awake met nothing, and coast */
+    uint16_t springs;
+    uint16_t tree_cells, tree_entries; /* of the quadtree */
     uint16_t tree_full;                /* leaves that stayed longer than wished because a pool was full, and one more if pairs could not be kept */
 } cairn_world_stats;
 
@@ -103,7 +103,8 @@ typedef struct cairn_world {
     uint16_t first_found; /* the slot of the first one, CAIRN_NONE if there was none yet */
     cairn_ratio rest_damping; /* by this share a step */
     cairn_ratio stick;        /* of what has slipped, taken back in a sub-step, see hold.c */
-    uint16_t swept_ends[8];   /* where those of each way end, see sweep.c */
+
+    cairn_world_stats stats; /* here, as far as short instructions reach */
 
     cairn_body *bodies;
     cairn_arbiter *arbiters;
@@ -117,9 +118,6 @@ typedef struct cairn_world {
     const cairn_bounce_class *bounce;
     const cairn_sleep_class *sleep;
     const cairn_continuous_class *continuous;
-    struct cairn_block *block; /* null: without, see block.h */
-    struct cairn_spring_pool *springs;
-    struct cairn_quadtree *tree;
 
     cairn_motion push_out_limit;               /* the same as push_out, in metres per sub-step */
     cairn_motion speed_limit;                  /* of spins, too; metres per sub-step */
@@ -130,7 +128,10 @@ typedef struct cairn_world {
     cairn_real rate; /* steps per second */
     cairn_real slop, push_out;
 
-    cairn_world_stats stats;
+    struct cairn_block *block; /* null: without, see block.h */
+    struct cairn_spring_pool *springs;
+    struct cairn_quadtree *tree;
+    uint16_t swept_ends[8]; /* where those of each way end, see sweep.c */
 } cairn_world;
 
 /* The memory of a world, as CAIRN_WORLD declares it. */
