@@ -41,7 +41,7 @@ def test_a_pointer_must_be_known_and_lead_somewhere(tmp_path: Path) -> None:
     with pytest.raises(engine.EngineError, match=r"world\.c:1:1"):
         graph_of(tmp_path, node("top", 16), edge("top", "__indirect_call"))
     lines = (engine.ROOT / "src" / "world.c").read_text(encoding="utf-8").splitlines()
-    number = next(i for i, line in enumerate(lines, 1) if "solver->solve(" in line)
+    number = next(i for i, line in enumerate(lines, 1) if "solver(world)->solve(" in line)
     place = f"src/world.c:{number}:1"
     with pytest.raises(engine.EngineError, match="solver_soft:solve"):
         graph_of(tmp_path, node("top", 16), edge("top", "__indirect_call", place))

@@ -138,7 +138,7 @@ edge: { sourcename: "main" targetname: "__indirect_call" label: "src/world.c:%d:
 edge: { sourcename: "/tmp/x.ltrans0.o:solve" targetname: "/tmp/x.ltrans0.o:cairn_clamp.lto_priv.7" label: "a.c:1:1" }
 """
     lines = (ROOT / "src" / "world.c").read_text(encoding="utf-8").splitlines()
-    number = next(i for i, line in enumerate(lines, 1) if "solver->solve(" in line)
+    number = next(i for i, line in enumerate(lines, 1) if "solver(world)->solve(" in line)
     (tmp_path / "game.ltrans0.ltrans.ci").write_text(text % number, encoding="utf-8")
     assert call_graph.image_depth(image) == 8 + 100 + 40
 
