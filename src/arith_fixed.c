@@ -364,7 +364,10 @@ cairn_angle cairn_angle_from_motion(cairn_motion x, cairn_wide inverse_gyration)
     int shift = -(inverse_gyration.exponent + 2);
     uint32_t turned;
 
-    if (shift > 0) {
+    if (!CAIRN_SMALL && shift > 0 && shift <= 32) { /* a radius of gyration below 8 m; word by word */
+        uint32_t low = (uint32_t)product >> (shift - 1);
+        turned = (high_word(product) << (32 - shift)) + (low >> 1) + (low & 1u);
+    } else if (shift > 0) {
         turned = (uint32_t)shifted(product, shift);
     } else {
         turned = shift > -32 ? (uint32_t)product << -shift : 0;

@@ -87,6 +87,13 @@ static inline bool find_motion(const cairn_body *a, const cairn_body *b, relativ
     by->y = cairn_motion_apart(a->dy, b->dy, 0);
     by->spin_a = turns ? a->dw : 0;
     by->spin_b = turns ? b->dw : 0;
+    if (CAIRN_KNOWS_SQUARES) {
+        cairn_squares sum = cairn_squares_with(cairn_squares_with(0, by->x), by->y);
+        if (cairn_squares_are_below(turns ? cairn_squares_with(cairn_squares_with(sum, by->spin_a), by->spin_b) : sum, HOLD_WAY)) {
+            return true;
+        }
+        cairn_forget();
+    }
     cairn_size size = cairn_size_with(cairn_size_of(by->x), by->y);
     return cairn_size_is_below(turns ? cairn_size_with(cairn_size_with(size, by->spin_a), by->spin_b) : size, HOLD_WAY);
 }

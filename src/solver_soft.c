@@ -34,33 +34,48 @@ static void lean_all(cairn_world *world)
     }
 }
 
-/* The last change once more. */
-static inline cairn_motion repeat(cairn_motion *v, cairn_motion *u)
+static inline void put(cairn_body *body, cairn_motion vx, cairn_motion vy, cairn_motion w)
 {
-    cairn_motion now = *v, next = 2 * now - *u;
-    *u = now;
-    *v = next;
-    return next;
+    body->vx = vx;
+    body->vy = vy;
+    if (CAIRN_WITH_TURNING) {
+        body->w = w;
+    }
 }
 
-/* A further sub-step's velocities, with this change of gravity. Where no spring is to come first, bodies lean at once. */
+/* A further sub-step's velocities, with this change of gravity: the last change once more. Where no spring is to come first, bodies lean at once. */
 CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy)
 {
     const cairn_body *end = world->bodies + world->body_end;
-    bool leans = cairn_world_springs(world) == NULL, falls_anew = gx != 0 || gy != 0; /* by a last bit now and then */
+    bool leans = cairn_world_springs(world) == NULL;
+    unsigned falls_anew = gx != 0 || gy != 0 ? CAIRN_BODY_PLAIN : 0; /* by a last bit now and then */
     for (cairn_body *body = world->bodies; body != end;) {
-        if (!(body->flags & CAIRN_BODY_GOES)) {
+        unsigned flags = body->flags;
+        if (!(flags & CAIRN_BODY_GOES)) {
             body = cairn_body_skip(world, body);
             continue;
         }
-        if (falls_anew && (body->flags & CAIRN_BODY_PLAIN)) {
-            body->ux -= gx;
-            body->uy -= gy;
+        cairn_motion ux = body->ux, uy = body->uy, vx = body->vx, vy = body->vy, w = cairn_body_spin(body);
+        if (flags & falls_anew) {
+            ux -= gx;
+            uy -= gy;
         }
-        cairn_motion vx = repeat(&body->vx, &body->ux), vy = repeat(&body->vy, &body->uy), w = CAIRN_WITH_TURNING ? repeat(&body->w, &body->uw) : 0;
+        body->ux = vx;
+        body->uy = vy;
+        vx = 2 * vx - ux;
+        vy = 2 * vy - uy;
+        if (CAIRN_WITH_TURNING) {
+            cairn_motion uw = body->uw;
+            body->uw = w;
+            w = 2 * w - uw;
+        }
         if (leans) { /* three times the limit at most, which the sweeps have room for, and cut again when it moves */
-            lean(body);
-        } else if (!cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
+            vx += cairn_soft_lean(body->dx);
+            vy += cairn_soft_lean(body->dy);
+            w += cairn_soft_lean(cairn_body_turned(body));
+        }
+        put(body, vx, vy, w);
+        if (!leans && !cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
             cairn_body_limit_speed(world, body);
         }
         body++;
@@ -76,20 +91,23 @@ CAIRN_APART void advance(cairn_world *world)
             body = cairn_body_skip(world, body);
             continue;
         }
+        cairn_motion vx = body->vx, vy = body->vy, w = cairn_body_spin(body);
         if (may_lean(body)) {
-            body->vx -= cairn_soft_lean(body->dx);
-            body->vy -= cairn_soft_lean(body->dy);
-            if (CAIRN_WITH_TURNING) {
-                body->w -= cairn_soft_lean(body->dw);
-            }
+            vx -= cairn_soft_lean(body->dx);
+            vy -= cairn_soft_lean(body->dy);
+            w -= cairn_soft_lean(cairn_body_turned(body));
+            put(body, vx, vy, w);
         }
-        if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
+        if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(vx, vy, w, CAIRN_SURELY_SLOW)) {
             cairn_body_limit_speed(world, body);
+            vx = body->vx;
+            vy = body->vy;
+            w = cairn_body_spin(body);
         }
-        body->dx += body->vx;
-        body->dy += body->vy;
+        body->dx += vx;
+        body->dy += vy;
         if (CAIRN_WITH_TURNING) {
-            body->dw += body->w;
+            body->dw += w;
         }
         body++;
     }

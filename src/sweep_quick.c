@@ -33,6 +33,7 @@ CAIRN_INLINE bool starts_calm(const cairn_body *a, const cairn_body *b, const ca
         if (cairn_squares_are_below(cairn_pair_squares(sum, a, b, path, true), CAIRN_CALM)) {
             return true;
         }
+        cairn_forget();
     }
     cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
     size = has_two_points(path) ? cairn_size_with(size, rows[CAIRN_LAST_ROW].impulse) : size;

@@ -2,7 +2,7 @@
  * The fixed-point definition of every operation. Each has one exact result, whatever the compiler or the core:
  * products are rounded to nearest, halves upwards, unless an operation says otherwise.
  * A port may replace the few primitives of the first section by faster code that gives the same bits:
- * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD_ROUNDED, _KEPT, _FORGET, _ADD_SQUARE, _ADD, _CLZ or _ASKS;
+ * name a header in CAIRN_ARITH_PORT that defines CAIRN_PORT_MUL16, _MUL16_DOWN, _MUL32, _DOT16, _DOT32, _PRODUCT, _TIMES, _ADD_ROUNDED, _KEPT, _SHORT, _FORGET, _ADD_SQUARE, _ADD, _CLZ or _ASKS;
  * those for the Cortex-M cores are in ports/arith.
  */
 #ifndef CAIRN_ARITH_FIXED_H
@@ -96,6 +96,10 @@ typedef char cairn_assert_twos_complement[(int32_t)(uint32_t)0xFFFFFFFFu == -1 ?
 #endif
 #ifndef CAIRN_PORT_KEPT
 #define CAIRN_PORT_KEPT(x) (x)
+#endif
+/* A constant, or a smaller one that an instruction can hold: to ask of it first. */
+#ifndef CAIRN_PORT_SHORT
+#define CAIRN_PORT_SHORT(x) (x)
 #endif
 #ifndef CAIRN_PORT_FORGET
 #define CAIRN_PORT_FORGET() ((void)0)
@@ -623,7 +627,7 @@ CAIRN_SHARED bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn
 /* x into [0, limit] */
 CAIRN_SHARED cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
 {
-    if ((uint32_t)x > (uint32_t)limit) { return x < 0 ? 0 : limit; }
+    if ((uint32_t)x > (uint32_t)CAIRN_PORT_SHORT(limit)) { return x < 0 ? 0 : x < limit ? x : limit; }
     return x;
 }
 /* The size of several motions at once: as great as the greatest, less than twice as great, and perhaps one unit short. */

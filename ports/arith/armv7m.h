@@ -19,6 +19,8 @@
 #define CAIRN_PORT_ADD(a, b, sum) __builtin_add_overflow(a, b, sum)
 #define CAIRN_PORT_ASKS 0
 #define CAIRN_PORT_KEPT(x) cairn_armv7m_kept(x)
+#define CAIRN_PORT_FORGET() CAIRN_ARMV7M_FORGET()
+#define CAIRN_PORT_SHORT(x) ((x) & 0x7F000000)
 #if defined(__ARM_FEATURE_DSP) || !defined(__thumb2__)
 #define CAIRN_PORT_ADD_SQUARE(sum, x) cairn_armv7m_add_square(sum, x)
 #endif
@@ -49,6 +51,9 @@ static inline int32_t cairn_armv7m_kept(int32_t x)
 /* As one piece: from C gcc makes 64-bit values of operands that it uses twice, with their sign words. */
 #if defined(__GNUC__) && defined(__thumb2__)
 #define CAIRN_ARMV7M_ASM 1
+#define CAIRN_ARMV7M_FORGET() __asm__ volatile("" : : : "memory")
+#else
+#define CAIRN_ARMV7M_FORGET() ((void)0)
 #endif
 
 static inline int32_t cairn_armv7m_mul32(int32_t a, int32_t b, int shift)
