@@ -44,11 +44,11 @@ typedef struct counterpart {
     const cairn_relative *at;
 } counterpart;
 
-/* The most by which a face may separate them: as much as it does the disc. Most faces are told by that. */
+/* The most by which a face may separate them: as much as it does the disc. Most faces are told by that. Giants' far sides are cut at -512 m. */
 static inline cairn_offset most_of(const cairn_outline *of, int edge, const counterpart *from)
 {
     const cairn_offset2 *vertex = &of->vertex[edge];
-    return cairn_offset_dot(from->at->x - vertex->x, from->at->y - vertex->y, of->normal[edge].x, of->normal[edge].y) - from->outline->inradius;
+    return cairn_offset_add(cairn_offset_dot(from->at->x - vertex->x, from->at->y - vertex->y, of->normal[edge].x, of->normal[edge].y), -from->outline->inradius);
 }
 
 /* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */

@@ -223,9 +223,8 @@ CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, ui
 /* The arbiter of the pair, if it is the one that was found after the last one in the step before: it mostly is. */
 static inline cairn_arbiter *expected(cairn_world *world, uint16_t a, uint16_t b)
 {
-    uint16_t slot = *world->expected;
-    if (CAIRN_WITH_SHORTCUTS && slot != CAIRN_NONE) {
-        cairn_arbiter *arbiter = &world->arbiters[slot];
+    if (CAIRN_WITH_SHORTCUTS && *world->expected != CAIRN_NONE) {
+        cairn_arbiter *arbiter = &world->arbiters[*world->expected];
         if (arbiter->a == a ? arbiter->b == b : arbiter->a == b && arbiter->b == a) { /* what is free again is of no body */
             world->expected = &arbiter->after;
             return arbiter;

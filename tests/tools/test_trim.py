@@ -25,7 +25,7 @@ def needs(*names: str, wish: trim.Wish = WISH) -> trim.Needs:
 def test_round_bodies_need_one_point_and_only_what_they_use() -> None:
     found = needs("curtain150")
     on = {name for name, value in found.options.items() if name.startswith("CAIRN_WITH") and value}
-    assert on == {"CAIRN_WITH_SPRINGS", "CAIRN_WITH_FRICTION", "CAIRN_WITH_TURNING"}
+    assert on == {"CAIRN_WITH_SPRINGS", "CAIRN_WITH_FRICTION", "CAIRN_WITH_TURNING", "CAIRN_WITH_SORT"}
     assert found.options["CAIRN_MAX_POINTS"] == 1
     assert found.pools == {"bodies": 150, "arbiters": 1, "springs": 261}
 
