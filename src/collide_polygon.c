@@ -44,19 +44,19 @@ typedef struct counterpart {
     const cairn_relative *at;
 } counterpart;
 
-/* The most by which a face may separate them: as much as it does the disc. Most faces are told by that. Giants' far sides are cut at -512 m. */
-static inline cairn_offset most_of(const cairn_outline *of, int edge, const counterpart *from)
+/* How far the other one's centre lies beyond a face. The face separates them by its inradius less at most: most faces are told by that. */
+static inline cairn_offset beyond(const cairn_outline *of, int edge, const cairn_relative *at)
 {
     const cairn_offset2 *vertex = &of->vertex[edge];
-    return cairn_offset_add(cairn_offset_dot(from->at->x - vertex->x, from->at->y - vertex->y, of->normal[edge].x, of->normal[edge].y), -from->outline->inradius);
+    return cairn_offset_dot(at->x - vertex->x, at->y - vertex->y, of->normal[edge].x, of->normal[edge].y);
 }
 
 /* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */
-static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset most, const counterpart *from, axis *best)
+static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset centre, const counterpart *from, axis *best)
 {
     int corner = 0;
     cairn_unit2 n = cairn_unit2_turned(of->normal[edge], from->at->c, -from->at->s);
-    cairn_offset separation = most + from->outline->inradius + support_distance(from->outline, n, &corner), before = best->separation;
+    cairn_offset separation = centre + support_distance(from->outline, n, &corner), before = best->separation;
     if (separation <= before) {
         return separation;
     }
@@ -73,29 +73,30 @@ static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset mos
  */
 static cairn_offset find_face(const cairn_outline *of, const counterpart *from, cairn_offset margin, axis *best)
 {
-    cairn_offset first = -CAIRN_OFFSET_MAX, second = -CAIRN_OFFSET_MAX;
+    cairn_offset first = -CAIRN_OFFSET_MAX, second = -CAIRN_OFFSET_MAX, inradius = from->outline->inradius;
     int facing = 0;
     for (int i = 0; i < of->count; i++) {
-        cairn_offset most = most_of(of, i, from);
-        if (most > first) {
+        cairn_offset centre = beyond(of, i, from->at);
+        if (centre > first) {
             second = first;
-            first = most;
+            first = centre;
             facing = i;
-        } else if (most > second) {
-            second = most;
+        } else if (centre > second) {
+            second = centre;
         }
     }
-    if (first > best->separation) { /* the one that faces it */
-        first = try_face(of, facing, first, from, best);
-    }
-    for (int i = 0; second > best->separation && i < of->count && best->separation <= margin; i++) { /* the others are seldom needed */
-        cairn_offset most = i == facing ? best->separation : most_of(of, i, from);
-        if (most > best->separation) {
-            most = try_face(of, i, most, from, best);
-            first = most > first ? most : first;
+    cairn_offset centre = first;
+    for (int edge = facing, next = 0;; edge = next++) { /* the one that faces it, then any other: these are seldom needed */
+        if (centre > best->separation + inradius) {
+            centre = try_face(of, edge, centre, from, best) + inradius;
+            first = edge == facing || centre > first ? centre : first;
         }
+        if (best->separation > margin || second <= best->separation + inradius || next == of->count) {
+            break;
+        }
+        centre = next == facing ? -CAIRN_OFFSET_MAX : beyond(of, next, from->at);
     }
-    return first > second ? first : second;
+    return cairn_offset_add(first > second ? first : second, -inradius); /* giants' far sides are cut at -512 m */
 }
 
 /* The edge of the polygon that faces most against a direction of its own frame: one of the two at the corner that is farthest against it. */
