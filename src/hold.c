@@ -88,7 +88,7 @@ static inline bool find_motion(const cairn_body *a, const cairn_body *b, relativ
     by->spin_a = turns ? a->dw : 0;
     by->spin_b = turns ? b->dw : 0;
     if (CAIRN_KNOWS_SQUARES) {
-        cairn_squares sum = cairn_squares_with(cairn_squares_with(0, by->x), by->y);
+        cairn_size sum = cairn_squares_with(cairn_squares_with(0, by->x), by->y);
         if (cairn_squares_are_below(turns ? cairn_squares_with(cairn_squares_with(sum, by->spin_a), by->spin_b) : sum, HOLD_WAY)) {
             return true;
         }

@@ -96,13 +96,13 @@ static void keep_impulses(cairn_arbiter *arbiter, const cairn_manifold *manifold
 
 void cairn_arbiter_mark_careful(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
+    if (!CAIRN_HAS_WAYS) {
+        return;
+    }
     bool careful = cairn_bodies_are_fixed(a, b) || !cairn_lever_is_short(arbiter->friction_lever_a)
                 || !cairn_lever_is_short(arbiter->friction_lever_b);
     for (int i = 0; i < cairn_points_of(arbiter->count); i++) {
         careful = careful || !cairn_lever_is_short(arbiter->rows[i].lever_a) || !cairn_lever_is_short(arbiter->rows[i].lever_b);
-    }
-    if (!CAIRN_HAS_WAYS) {
-        return;
     }
     arbiter->flags = (uint8_t)((arbiter->flags & ~(unsigned)CAIRN_ARBITER_CAREFUL) | cairn_flag_if(careful, CAIRN_ARBITER_CAREFUL));
 }

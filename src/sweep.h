@@ -46,34 +46,24 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 #define CAIRN_CLOSED CAIRN_MOTION(1.0 / 4)
 #define CAIRN_GIVEN CAIRN_MOTION(1.0 / 16)
 
-/* By a path for which it is right, a constant where a quick way asks. */
-CAIRN_INLINE cairn_size cairn_pair_size(cairn_size size, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+typedef cairn_size cairn_sum_with(cairn_size sum, cairn_motion x);
+
+/* The motion of both, of a path for which it is right: a constant where a quick way asks. With the sizes of all, or their squares. */
+CAIRN_INLINE cairn_size cairn_pair_sum(cairn_sum_with *with, cairn_size sum, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
-    size = cairn_size_with(cairn_size_with(size, b->vx), b->vy);
+    sum = with(with(sum, b->vx), b->vy);
     with_spins = with_spins && CAIRN_WITH_TURNING;
-    size = with_spins ? cairn_size_with(size, b->w) : size;
+    sum = with_spins ? with(sum, b->w) : sum;
     if (path != CAIRN_PATH_ON_STATIC) {
-        size = cairn_size_with(cairn_size_with(size, a->vx), a->vy);
-        size = with_spins ? cairn_size_with(size, a->w) : size;
-    }
-    return size;
-}
-/* The same in squares. */
-CAIRN_INLINE cairn_squares cairn_pair_squares(cairn_squares sum, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
-{
-    sum = cairn_squares_with(cairn_squares_with(sum, b->vx), b->vy);
-    with_spins = with_spins && CAIRN_WITH_TURNING;
-    sum = with_spins ? cairn_squares_with(sum, b->w) : sum;
-    if (path != CAIRN_PATH_ON_STATIC) {
-        sum = cairn_squares_with(cairn_squares_with(sum, a->vx), a->vy);
-        sum = with_spins ? cairn_squares_with(sum, a->w) : sum;
+        sum = with(with(sum, a->vx), a->vy);
+        sum = with_spins ? with(sum, a->w) : sum;
     }
     return sum;
 }
 CAIRN_INLINE bool cairn_is_calm(const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
-    return (CAIRN_KNOWS_SQUARES && cairn_squares_are_below(cairn_pair_squares(0, a, b, path, with_spins), CAIRN_CALM))
-        || cairn_size_is_below(cairn_pair_size(0, a, b, path, with_spins), CAIRN_CALM);
+    return (CAIRN_KNOWS_SQUARES && cairn_squares_are_below(cairn_pair_sum(cairn_squares_with, 0, a, b, path, with_spins), CAIRN_CALM))
+        || cairn_size_is_below(cairn_pair_sum(cairn_size_with, 0, a, b, path, with_spins), CAIRN_CALM);
 }
 
 /* Faster pairs are not far from meeting: no sum of that question may wrap. Nor may its rounding tell. */

@@ -23,21 +23,24 @@ CAIRN_INLINE bool is_out(const cairn_body *a, const cairn_body *b, const cairn_a
     return CAIRN_WITH_SHORTCUTS && may_be_far && cairn_is_far(a, b, arbiter);
 }
 
+CAIRN_INLINE cairn_size sum_at_start(cairn_sum_with *with, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
+{
+    const cairn_row *rows = arbiter->rows;
+    cairn_size sum = with(with(0, arbiter->friction_impulse), rows[0].impulse);
+    sum = has_two_points(path) ? with(sum, rows[CAIRN_LAST_ROW].impulse) : sum;
+    return cairn_pair_sum(with, sum, a, b, path, true);
+}
+
 /* Calm, and so are the impulses. */
 CAIRN_INLINE bool starts_calm(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
 {
-    const cairn_row *rows = arbiter->rows;
     if (CAIRN_KNOWS_SQUARES) {
-        cairn_squares sum = cairn_squares_with(cairn_squares_with(0, arbiter->friction_impulse), rows[0].impulse);
-        sum = has_two_points(path) ? cairn_squares_with(sum, rows[CAIRN_LAST_ROW].impulse) : sum;
-        if (cairn_squares_are_below(cairn_pair_squares(sum, a, b, path, true), CAIRN_CALM)) {
+        if (cairn_squares_are_below(sum_at_start(cairn_squares_with, a, b, arbiter, path), CAIRN_CALM)) {
             return true;
         }
         cairn_forget();
     }
-    cairn_size size = cairn_size_with(cairn_size_of(arbiter->friction_impulse), rows[0].impulse);
-    size = has_two_points(path) ? cairn_size_with(size, rows[CAIRN_LAST_ROW].impulse) : size;
-    return cairn_size_is_below(cairn_pair_size(size, a, b, path, true), CAIRN_CALM);
+    return cairn_size_is_below(sum_at_start(cairn_size_with, a, b, arbiter, path), CAIRN_CALM);
 }
 
 CAIRN_INLINE void warm_start(const cairn_world *world, cairn_body *a, cairn_body *b, cairn_arbiter *arbiter, int path, bool from_last)

@@ -270,9 +270,8 @@ static inline cairn_size cairn_size_of(cairn_motion x) { return fabs(x); }
 static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return fabs(x) > size ? fabs(x) : size; }
 static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < limit; }
 #define CAIRN_KNOWS_SQUARES 0
-typedef double cairn_squares;
-static inline cairn_squares cairn_squares_with(cairn_squares sum, cairn_motion x) { return sum + x * x; }
-static inline bool cairn_squares_are_below(cairn_squares sum, cairn_motion limit) { return sum < limit * limit; }
+static inline cairn_size cairn_squares_with(cairn_size sum, cairn_motion x) { return sum + x * x; }
+static inline bool cairn_squares_are_below(cairn_size sum, cairn_motion limit) { return sum < limit * limit; }
 static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < limit / 32; }
 static inline cairn_motion cairn_motion_ratio_short(cairn_motion a, cairn_ratio r) { return a * r; }
 static inline cairn_motion cairn_motion_factor_below(cairn_motion a, cairn_factor f) { return a * f; }

@@ -604,6 +604,12 @@ static inline cairn_motion cairn_motion_add_levers(cairn_motion u, cairn_motion 
 }
 static inline bool cairn_lever_is_short(cairn_lever j) { return (uint32_t)j + CAIRN_LEVER_SHORT <= 2u * CAIRN_LEVER_SHORT; }
 static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { return (uint32_t)x + (uint32_t)limit <= 2u * (uint32_t)limit; }
+/* The size of several motions at once: as great as the greatest, less than twice as great, and perhaps one unit short. */
+typedef uint32_t cairn_size;
+static inline cairn_size cairn_size_of(cairn_motion x) { return (uint32_t)(x ^ (x >> 31)); }
+static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return size | cairn_size_of(x); }
+static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit; }
+static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit >> 5; } /* a 32nd */
 /*
  * Are motions within a limit for sure, by the sum of their squares' upper words? For cores with one instruction for each; where it says no, sizes
  * have to tell.
@@ -614,9 +620,8 @@ static inline bool cairn_motion_is_within(cairn_motion x, cairn_motion limit) { 
 #define CAIRN_KNOWS_SQUARES 0
 #define CAIRN_PORT_ADD_SQUARE(sum, x) ((sum) + (uint32_t)((int64_t)(x) * (x) >> 32))
 #endif
-typedef uint32_t cairn_squares;
-static inline cairn_squares cairn_squares_with(cairn_squares sum, cairn_motion x) { return CAIRN_PORT_ADD_SQUARE(sum, x); }
-static inline bool cairn_squares_are_below(cairn_squares sum, cairn_motion limit) { return sum < (uint32_t)((int64_t)limit * limit >> 32); }
+static inline cairn_size cairn_squares_with(cairn_size sum, cairn_motion x) { return CAIRN_PORT_ADD_SQUARE(sum, x); }
+static inline bool cairn_squares_are_below(cairn_size sum, cairn_motion limit) { return sum < (uint32_t)((int64_t)limit * limit >> 32); }
 /* Do all of them lie in [-limit, limit), a constant power of two? */
 CAIRN_SHARED bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn_motion w, cairn_motion limit)
 {
@@ -630,12 +635,6 @@ CAIRN_SHARED cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion l
     if ((uint32_t)x > (uint32_t)CAIRN_PORT_SHORT(limit)) { return x < 0 ? 0 : x < limit ? x : limit; }
     return x;
 }
-/* The size of several motions at once: as great as the greatest, less than twice as great, and perhaps one unit short. */
-typedef uint32_t cairn_size;
-static inline cairn_size cairn_size_of(cairn_motion x) { return (uint32_t)(x ^ (x >> 31)); }
-static inline cairn_size cairn_size_with(cairn_size size, cairn_motion x) { return size | cairn_size_of(x); }
-static inline bool cairn_size_is_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit; }
-static inline bool cairn_size_is_far_below(cairn_size size, cairn_motion limit) { return size < (uint32_t)limit >> 5; } /* a 32nd */
 static inline cairn_motion cairn_motion_ratio(cairn_motion a, cairn_ratio r) { return cairn_mul16(a, r, 14); }
 static inline cairn_motion cairn_motion_share(cairn_motion a, cairn_share s)
 {

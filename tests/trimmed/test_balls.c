@@ -7,6 +7,7 @@ static const cairn_shape floor_shape = CAIRN_BOX(CAIRN_F(20), CAIRN_F(1));
 
 /* Bodies keep a pointer to theirs. */
 static cairn_body_model ground, model;
+static cairn_body_id floor_id;
 
 static cairn_body_model sliding(const cairn_shape *shape)
 {
@@ -22,7 +23,7 @@ void setUp(void)
     ground = sliding(&floor_shape);
     ground.type = CAIRN_STATIC;
     model = sliding(&ball);
-    cairn_body_create(world, &ground, at(0, CAIRN_F(-0.5)), 0);
+    floor_id = cairn_body_create(world, &ground, at(0, CAIRN_F(-0.5)), 0);
 }
 void tearDown(void) {}
 
@@ -145,4 +146,25 @@ void test_balls_of_one_kind_hand_over_their_speed(void)
     run(120);
     ASSERT_NEAR(0.02, 2, cairn_body_velocity(world, a).x + cairn_body_velocity(world, b).x);
     TEST_ASSERT_TRUE(cairn_body_velocity(world, b).x >= cairn_body_velocity(world, a).x);
+}
+
+void test_contacts_say_where_whichever_body_came_first(void)
+{
+    static const cairn_shape post_shape = CAIRN_BOX(CAIRN_F(1), CAIRN_F(2));
+    static cairn_body_model post_model;
+    static const struct { int x, y; } middle[4] = { { 2, 0 }, { 4, 0 }, { 3, 1 }, { 5, 1 } }; /* of both surfaces, in halves of a metre */
+    cairn_body_id one = cairn_body_create(world, &model, at(CAIRN_F(1), CAIRN_F(0.5)), 0);
+    cairn_body_id other = cairn_body_create(world, &model, at(CAIRN_F(2), CAIRN_F(0.5)), 0);
+    post_model = sliding(&post_shape);
+    post_model.type = CAIRN_STATIC;
+    cairn_body_id post = cairn_body_create(world, &post_model, at(CAIRN_F(3), CAIRN_F(1)), 0);
+    const cairn_body_id pairs[4][2] = { { floor_id, one }, { floor_id, other }, { one, other }, { other, post } };
+    run(1);
+    for (int i = 0; i < 4; i++) {
+        cairn_contact contact;
+        TEST_ASSERT_TRUE(contact_of(pairs[i][0], pairs[i][1], &contact));
+        TEST_ASSERT_EQUAL_INT(1, contact.count);
+        ASSERT_NEAR(0.001, 0, cairn_real_sub(contact.points[0].position.x, cairn_real_half(cairn_real_from_int(middle[i].x))));
+        ASSERT_NEAR(0.001, 0, cairn_real_sub(contact.points[0].position.y, cairn_real_half(cairn_real_from_int(middle[i].y))));
+    }
 }

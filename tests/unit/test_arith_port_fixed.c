@@ -186,7 +186,7 @@ void test_squares_sum_their_upper_words_and_are_below_only_what_each_motion_is_b
         arguments x = choose(&random, i, 26);
         const cairn_motion limit = 1 << x.shift, a = x.a / 8, b = x.b >> x.shift / 2;
         const uint32_t upper_a = (uint32_t)((int64_t)a * a >> 32), upper_b = (uint32_t)((int64_t)b * b >> 32);
-        const cairn_squares sum = cairn_squares_with(cairn_squares_with(0, a), b);
+        const cairn_size sum = cairn_squares_with(cairn_squares_with(0, a), b);
         expect("squares", x, (int32_t)(upper_a + upper_b), (int32_t)sum);
         if (cairn_squares_are_below(sum, limit)) {
             TEST_ASSERT_TRUE(cairn_size_is_below(cairn_size_with(cairn_size_of(a), b), limit));

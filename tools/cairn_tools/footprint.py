@@ -101,7 +101,7 @@ SETS = (
     FeatureSet("balls_walls", "balls and walls", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560),
     FeatureSet("balls_walls_lean", "balls and walls, by options", ("BALLS", "WALLS"), 16, 16, 5 * 1024, 2560,
                LEAN_BALLS),
-    FeatureSet("balls_walls_least", "balls of one kind that slide, and upright walls", ("BALLS", "WALLS"), 16, 16,
+    FeatureSet("balls_walls_least", "balls of one kind that slide, upright walls, by options", ("BALLS", "WALLS"), 16, 16,
                5 * 1024, 2560, LEAST),
     FeatureSet("boxes", "boxes only", ("WALLS", "BOXES"), 16, 16),
     FeatureSet("boxes_springs", "boxes and springs", ("WALLS", "BOXES", "SPRINGS"), 16, 16),
