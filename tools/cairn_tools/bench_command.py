@@ -14,6 +14,7 @@ from rich.table import Table
 
 from . import bench as bench_module
 from . import bench_tables, engine, scene
+from . import copies as copies_module
 from . import cycles as cycles_module
 from . import growth as growth_module
 from . import host_bench as host_module
@@ -46,6 +47,7 @@ def bench(
     passes: PassesOption = None,
     profile: Annotated[bool, typer.Option("--profile", help="What stages and functions take, too.")] = False,
     cycles: Annotated[bool, typer.Option("--cycles", help="Cycles and microseconds on four chips.")] = False,
+    copies: Annotated[int | None, typer.Option(min=1, max=1000, help="Of so many copies, moved by up to 2 mm.")] = None,
     growth: Annotated[bool, typer.Option("--growth", help="Costs of 10 to 400 bodies, on the M0 or --core.")] = False,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="With --growth: draw it too.")] = None,
     memory: Annotated[bool, typer.Option("--memory", help="Bytes of RAM and stack, with the goals.")] = False,
@@ -59,27 +61,25 @@ def bench(
 ) -> None:
     """Instructions per step on the emulated cores, over steps 121 to 240."""
     show = bench_tables.print_markdown if markdown else out.print
+    emulated = (scene_name, solver, substeps, passes, profile, cycles, copies, growth, plot, peers)
     if memory:
-        others = (scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers, host, rounds)
-        if any(others) or (keep and core):
+        if any((*emulated, host, rounds)) or (keep and core):
             raise UserError("--memory takes --core or --keep, --check, --markdown and --json only")
         _memory([c.value for c in core or ()] or list(memory_module.CORES), keep, check, as_json, show)
         return
     if keep or check:
-        others = (core, scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers, host, rounds)
-        if any(others) or as_json or markdown or (keep and check):
+        if any((core, *emulated, host, rounds)) or as_json or markdown or (keep and check):
             raise UserError("--keep and --check are of all scenes on record and take no other option")
         _record(keep)
         return
     if host or rounds:
-        others = (core, scene_name, solver, substeps, passes, profile, cycles, growth, plot, peers)
-        if not host or any(others):
+        if not host or any((core, *emulated)):
             raise UserError("--host takes --rounds, --markdown and --json only, and --rounds goes with --host")
         _host(rounds or host_module.ROUNDS, as_json, show)
         return
     cores = [c.value for c in core] if core else list(bench_module.CORES)
     if peers:
-        if profile or cycles or growth or plot or solver or substeps or passes:
+        if profile or cycles or copies or growth or plot or solver or substeps or passes:
             raise UserError("--peers takes --core, --scene, --markdown and --json only")
         if unfit := [name for name in cores if name not in peers_module.CORES]:
             raise UserError(f"--peers runs on {' '.join(peers_module.CORES)}, not on {unfit[0]}")
@@ -87,15 +87,22 @@ def bench(
         _peers(wished, cores, as_json, show)
         return
     if growth or plot:
-        if not growth or scene_name or solver or substeps or passes or cycles or profile:
+        if not growth or scene_name or solver or substeps or passes or cycles or copies or profile:
             raise UserError("--growth takes --core, --plot and --json only, and --plot goes with --growth")
         _growth([c.value for c in core or ()] or ["m0"], plot, as_json, show)
         return
     if cycles:
+        if copies:
+            raise UserError("--copies and --cycles do not go together")
         wished = [load_scene(name, solver, substeps, passes) for name in scene_name or kept_module.SCENES]
         _cycles(wished, [c.value for c in core or ()], profile, as_json, show)
         return
     scenes = [load_scene(name, solver, substeps, passes) for name in scene_name or bench_module.SCENES]
+    if copies:
+        if profile:
+            raise UserError("--copies and --profile do not go together")
+        _copies(scenes, cores, copies, as_json, show)
+        return
     _instructions(scenes, cores, profile, as_json, show)
 
 
@@ -123,6 +130,16 @@ def _instructions(scenes: list[scene.Scene], cores: list[str], profile: bool, as
     for cost, shares in results:
         if shares:
             show(_profile_table(f"{cost.scene} on {cost.core}", "instructions", shares))
+
+
+def _copies(scenes: list[scene.Scene], cores: list[str], count: int, as_json: bool, show: Show) -> None:
+    """The spread over copies of each scene."""
+    with working("bench --copies") as say:
+        rows = [copies_module.measure(loaded, name, count, say) for loaded in scenes for name in cores]
+    if as_json:
+        print(json.dumps([asdict(row) for row in rows], indent=2))
+        return
+    show(bench_tables.copies_table(rows))
 
 
 def _peers(scenes: list[scene.Scene], cores: list[str], as_json: bool, show: Show) -> None:

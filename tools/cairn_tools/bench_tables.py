@@ -1,4 +1,4 @@
-"""What `bench --cycles`, `--growth`, `--memory`, `--peers` and `--host` print."""
+"""What `bench --cycles`, `--copies`, `--growth`, `--memory`, `--peers` and `--host` print."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from rich import box
 from rich.table import Table
 
-from . import cycles, growth, host_bench, memory, peers
+from . import copies, cycles, growth, host_bench, memory, peers
 
 
 def print_markdown(table: Table) -> None:
@@ -106,6 +106,20 @@ def weight_text(weight: cycles.Weight) -> str:
     if weight.jump != (0, 0):
         text += f", taken {span(weight.low + weight.jump[0], weight.high + weight.jump[1])}"
     return text
+
+
+def copies_table(rows: list[copies.Spread]) -> Table:
+    """A line a scene and core."""
+    caption = (f"mean of steps 121-240, +- its standard error; worst of steps 1-240; each body moved by up to "
+               f"{1000 * copies.MOST:g} mm along x and y")  # fmt: skip
+    grid = Table(title="Instructions per step of copies of a scene", caption=caption)
+    for column in ("scene", "core", "copies", "mean", "+-", "least", "most", "mean of the worst", "worst"):
+        grid.add_column(column, justify="left" if column in ("scene", "core") else "right")
+    for row in rows:
+        error = "-" if row.standard_error is None else f"{row.standard_error:,.0f}"
+        counts = (f"{count:,.0f}" for count in (row.least, row.most, row.mean_worst, row.most_worst))
+        grid.add_row(row.scene, row.core, str(row.copies), f"{row.mean:,.0f}", error, *counts)
+    return grid
 
 
 def growth_record(points: list[growth.Point]) -> dict[str, Any]:

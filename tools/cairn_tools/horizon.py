@@ -9,7 +9,7 @@ physics. Beyond it a distance between two runs tells of chance.
 
 from __future__ import annotations
 
-import json
+import itertools
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -66,12 +66,5 @@ def apart(loaded: Scene, name: str, run: Trajectory, twin: Trajectory) -> Twins:
 
 def perturbed(loaded: Scene, folder: Path) -> Scene:
     """The scene with the moving bodies an LSB aside, with the same settings, in a file of that folder."""
-    data = json.loads(loaded.path.read_text(encoding="utf-8-sig"))
-    aside = LSB
-    for entry, body in zip(data["bodies"], loaded.bodies, strict=True):
-        if not body.static:
-            entry["position"][0] += aside
-            aside = -aside
-    path = folder / loaded.path.name
-    path.write_text(json.dumps(data), encoding="utf-8")
-    return scene.with_settings_of(scene.load(path), loaded)
+    sides = itertools.cycle((LSB, -LSB))
+    return scene.shifted(loaded, [(0.0 if body.static else next(sides), 0.0) for body in loaded.bodies], folder)

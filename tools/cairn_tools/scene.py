@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NoReturn
@@ -163,6 +164,16 @@ SETTINGS = ("steps_per_second", "substeps", "solver", "passes", "broad_phase", "
 def with_settings_of(scene: Scene, other: Scene) -> Scene:
     """The scene as the other is run."""
     return replace(scene, **{name: getattr(other, name) for name in SETTINGS})
+
+
+def shifted(scene: Scene, ways: Sequence[Point], folder: Path) -> Scene:
+    """The scene with its bodies so far elsewhere, with the same settings, in a file of that folder."""
+    data = json.loads(scene.path.read_text(encoding="utf-8-sig"))
+    for entry, (x, y) in zip(data["bodies"], ways, strict=True):
+        entry["position"] = [entry["position"][0] + x, entry["position"][1] + y]
+    path = folder / scene.path.name
+    path.write_text(json.dumps(data), encoding="utf-8")
+    return with_settings_of(load(path), scene)
 
 
 def find(name_or_file: str) -> Path:
