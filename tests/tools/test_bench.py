@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from cairn_tools import bench, engine, kept, profile, scene
+from cairn_tools import bench, engine, kept, memory, profile, scene
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +31,10 @@ def test_what_the_compiler_s_own_routines_take_is_counted_too() -> None:
     shares = profile.measure(springs, "m0", 1, 4)
     costs = engine.run(springs, "q16", "m0", 4, 0).costs
     assert sum(shares.functions.values()) == pytest.approx(sum(costs) / 4, rel=1e-3)
+
+
+def test_a_pyramid_that_sleeps_costs_next_to_nothing() -> None:
+    assert bench.measure(memory.load("pyramid10 sleep"), "m0").worst_instructions <= 6000
 
 
 def test_a_dearer_step_than_the_record_is_told_with_its_functions(
