@@ -49,37 +49,40 @@ static cairn_motion rest_at(const cairn_world *world, phase *p, cairn_real thres
 
 CAIRN_ONCE void mix(cairn_impact *i, const cairn_world *world, phase *p)
 {
-    const cairn_material *a = i->a->model->material, *b = i->b->model->material;
+    const cairn_material *a = i->body[0]->model->material, *b = i->body[1]->model->material;
     cairn_real threshold = a->bounce == NULL ? b->threshold : b->bounce == NULL || a->threshold < b->threshold ? a->threshold : b->threshold;
     i->restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
     i->rest = rest_at(world, p, threshold);
 }
 
+static cairn_motion pull_on(const cairn_body *body, cairn_motion gravity)
+{
+    gravity = CAIRN_WITH_GRAVITY_SCALE ? cairn_motion_factor(gravity, cairn_factor_from_real(body->model->gravity_scale)) : gravity;
+    return cairn_motion_clamp(gravity, CAIRN_MOTION(0.35));
+}
+
 /* What gravity does to the pair. No sum of a step's can wrap: g k / 2 of at most 15 sub-steps stays below 4 m, and g k below 8. */
 static void weigh(cairn_impact *i, const cairn_world *world)
 {
+    const cairn_body *b = i->body[1];
     i->gx = i->gy = 0;
-    if (!cairn_body_is_dynamic(i->a) && !cairn_body_is_fixed(i->b)) {
-        cairn_factor scale = cairn_factor_from_real(i->b->model->gravity_scale);
-        i->gx = cairn_motion_clamp(cairn_motion_factor(world->gravity_x.whole, scale), CAIRN_MOTION(0.35));
-        i->gy = cairn_motion_clamp(cairn_motion_factor(world->gravity_y.whole, scale), CAIRN_MOTION(0.35));
+    if (!cairn_body_is_dynamic(i->body[0]) && !cairn_body_is_fixed(b)) {
+        i->gx = pull_on(b, world->gravity_x.whole);
+        i->gy = pull_on(b, world->gravity_y.whole);
     }
 }
 
-static cairn_impact impact_of(const cairn_world *world, cairn_arbiter *arbiter, phase *p)
+static void begin(cairn_impact *i, const cairn_world *world, cairn_arbiter *arbiter, phase *p)
 {
-    cairn_impact i;
-    i.arbiter = arbiter;
-    i.a = &world->bodies[arbiter->a];
-    i.b = &world->bodies[arbiter->b];
-    i.px = i.py = 0;
-    i.x = i.y = 0;
-    i.adopted = i.changed = false;
-    i.lean = 0;
-    i.substep = p->substep;
-    mix(&i, world, p);
-    weigh(&i, world);
-    return i;
+    i->arbiter = arbiter;
+    i->body[0] = &world->bodies[arbiter->a];
+    i->body[1] = &world->bodies[arbiter->b];
+    i->px = i->py = 0;
+    i->adopted = i->changed = false;
+    i->lean = 0;
+    i->substep = p->substep;
+    mix(i, world, p);
+    weigh(i, world);
 }
 
 static bool is_in_flight(const cairn_arbiter *arbiter) { return ((arbiter->rows[0].feature | arbiter->rows[CAIRN_LAST_ROW].feature) & CAIRN_ROW_IN_FLIGHT) != 0; }
@@ -114,7 +117,7 @@ static bool is_calm(const cairn_world *world, const cairn_arbiter *arbiter, cair
 }
 
 /* The same for all pairs at once, as in a pile at rest. */
-static bool is_all_calm(const cairn_world *world, cairn_motion calm)
+CAIRN_APART bool is_all_calm(const cairn_world *world, cairn_motion calm)
 {
     const cairn_body *end = world->bodies + world->body_end;
     cairn_size size = 0;
@@ -130,9 +133,10 @@ CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i, phase
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
         const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        bool shared = b == i->b || b == i->a || (a == i->a && cairn_body_is_dynamic(a)) || a == i->b;
+        bool shared = b == i->body[1] || b == i->body[0] || (a == i->body[0] && cairn_body_is_dynamic(a)) || a == i->body[1];
         if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
-            cairn_impact other = impact_of(world, arbiter, p);
+            cairn_impact other;
+            begin(&other, world, arbiter, p);
             bool hits = cairn_impact_foresee(&other);
             take_note(world, &other);
             if (hits && other.time < i->time) {
@@ -144,10 +148,11 @@ CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i, phase
 }
 
 /* Looks for an impact of the two in this sub-step, and solves it; true if there is one, or will be after another one. */
-static bool collide(cairn_world *world, cairn_arbiter *arbiter, phase *p, bool waits)
+CAIRN_ONCE bool collide(cairn_world *world, cairn_arbiter *arbiter, phase *p, bool waits)
 {
-    cairn_impact i = impact_of(world, arbiter, p);
+    cairn_impact i;
     bool hits = false;
+    begin(&i, world, arbiter, p);
     cairn_impact_refresh(world, &i);
     if (cairn_impact_foresee(&i)) {
         bool first = !waits || !is_forestalled(world, &i, p);

@@ -17,37 +17,60 @@ typedef struct cairn_repeated {
     cairn_motion x, y, turn_a, turn_b;
 } cairn_repeated;
 
+/* The line that an impulse acts along: its direction, and its levers on both bodies. */
+typedef struct cairn_line {
+    cairn_dir x, y;
+    cairn_lever lever[2];
+} cairn_line;
+
+/* How the two have moved in this step: centre against centre, and each by turning. */
+typedef struct cairn_course {
+    cairn_offset x, y, turn_a, turn_b;
+} cairn_course;
+
+typedef struct cairn_velocity {
+    cairn_motion x, y, w;
+} cairn_velocity;
+
 typedef struct cairn_impact {
     cairn_arbiter *arbiter;
-    cairn_body *a, *b;
+    cairn_body *body[2];
+    bool adopted;            /* the rows were made within the step, by a look ahead or by the impact itself */
+    bool changed;            /* its path through the sweeps may be another one */
+    cairn_lean lean;         /* by how much the normal was rounded, where it tells */
+    int substep;
     cairn_factor restitution;
-    cairn_factor norm;       /* the rounded normal's own square */
     cairn_motion rest;       /* what closes slower does not rebound: the threshold, or what gravity gives in a sub-step */
     cairn_motion gx, gy;     /* gravity's change of the relative velocity in a sub-step; nothing where both fall alike */
-    cairn_motion closing[2]; /* speed at the moment of the impact; 0: this point does not take part */
-    cairn_motion px, py;     /* sum of the impulses on b */
-    cairn_motion depth;      /* of the point that hits, at that moment */
-    cairn_offset x, y;       /* how far b had moved to a in this step when the rows were looked at */
     cairn_unit time;         /* in sub-steps from this one's start; may lie a little beyond its end */
-    bool adopted;            /* the rows were made within the step, by a look ahead or by the impact itself; those before held: */
-    cairn_repeated before;
-    cairn_lean lean;         /* by how much the normal was rounded, where it tells */
-    bool changed;            /* its path through the sweeps may be another one */
-    int substep;
+    cairn_course course;     /* until the contact was looked at */
+    cairn_motion depth;      /* of the point that hits, at that moment */
+    cairn_motion closing[2]; /* speed at the moment of the impact; 0: this point does not take part */
+    cairn_repeated before;   /* by the rows that were there before those were adopted */
+    cairn_share share[2];    /* of a change of the relative velocity */
+    cairn_factor linear;     /* what an impulse along the rounded normal changes along it but for turning */
+    cairn_motion px, py;     /* sum of the impulses on b */
 } cairn_impact;
 
-static inline cairn_motion cairn_impact_velocity(const cairn_impact *i, cairn_dir nx, cairn_dir ny, cairn_lever ja, cairn_lever jb)
+CAIRN_SHARED cairn_line cairn_line_of_row(const cairn_arbiter *arbiter, const cairn_row *row)
 {
-    return cairn_motion_along(i->b->vx - i->a->vx, i->b->vy - i->a->vy, nx, ny) + cairn_motion_lever(i->b->w, jb) - cairn_motion_lever(i->a->w, ja);
+    cairn_line line;
+    line.x = arbiter->normal_x;
+    line.y = arbiter->normal_y;
+    line.lever[0] = row->lever_a;
+    line.lever[1] = row->lever_b;
+    return line;
 }
 
-static inline cairn_motion cairn_impact_row_velocity(const cairn_impact *i, const cairn_row *row)
+CAIRN_SHARED cairn_motion cairn_impact_velocity(const cairn_impact *i, const cairn_line *line)
 {
-    return cairn_impact_velocity(i, i->arbiter->normal_x, i->arbiter->normal_y, row->lever_a, row->lever_b);
+    const cairn_body *a = i->body[0], *b = i->body[1];
+    return cairn_motion_along(b->vx - a->vx, b->vy - a->vy, line->x, line->y) + cairn_motion_lever(b->w, line->lever[1])
+         - cairn_motion_lever(a->w, line->lever[0]);
 }
 
 /* Gravity's pull along the approach. */
-static inline cairn_motion cairn_impact_pull(const cairn_impact *i) { return -cairn_motion_along(i->gx, i->gy, i->arbiter->normal_x, i->arbiter->normal_y); }
+CAIRN_SHARED cairn_motion cairn_impact_pull(const cairn_impact *i) { return -cairn_motion_along(i->gx, i->gy, i->arbiter->normal_x, i->arbiter->normal_y); }
 
 /* ---- bounce_meet.c ---- */
 /* A pair that turns while near gets the rows of where it will be at the end of this sub-step. */
@@ -56,6 +79,10 @@ void cairn_impact_refresh(cairn_world *world, cairn_impact *i);
 bool cairn_impact_foresee(cairn_impact *i);
 /* Finds the contact at the moment of the impact, and the moment exactly; false if the two miss in this sub-step. */
 bool cairn_impact_meet(cairn_world *world, cairn_impact *i);
+/* How fast a point closes at the time of the impact; 0 if that is too slow to rebound. */
+cairn_motion cairn_impact_closing(const cairn_impact *i, const cairn_line *line);
+/* Has the warm start repeat so much less of a body's change, v - u. */
+void cairn_body_repeat_less(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn);
 /* Hands rows that were made within the step to the sweeps. */
 void cairn_impact_hand_back(cairn_impact *i);
 

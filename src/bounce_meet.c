@@ -20,54 +20,53 @@ static cairn_motion size_of(cairn_motion x) { return x < 0 ? -x : x; }
 
 /* ---- what the sweeps hold of the pair ---- */
 
-/* What the impulses that the rows hold do to the two. */
-static cairn_repeated repeated_of(const cairn_impact *i)
+static void add(cairn_repeated *sum, cairn_motion impulse, cairn_share share_a, cairn_lever ja, cairn_lever jb)
 {
-    const cairn_arbiter *arbiter = i->arbiter;
-    cairn_motion rub = arbiter->friction_impulse, of_a = cairn_motion_share(rub, arbiter->share_a);
-    cairn_repeated sum = { 0, 0, 0, 0 };
-    if (rub != 0) {
-        sum.x = -cairn_motion_dir(rub, arbiter->normal_y);
-        sum.y = cairn_motion_dir(rub, arbiter->normal_x);
-        sum.turn_a = cairn_motion_lever(of_a, arbiter->friction_lever_a);
-        sum.turn_b = cairn_motion_lever(rub - of_a, arbiter->friction_lever_b);
-    }
-    for (int k = 0; k < arbiter->count; k++) {
-        const cairn_row *row = &arbiter->rows[k];
-        if (row->impulse != 0) {
-            of_a = cairn_motion_share(row->impulse, arbiter->share_a);
-            sum.x += cairn_motion_dir(row->impulse, arbiter->normal_x);
-            sum.y += cairn_motion_dir(row->impulse, arbiter->normal_y);
-            sum.turn_a = cairn_motion_add(sum.turn_a, cairn_motion_lever(of_a, row->lever_a));
-            sum.turn_b = cairn_motion_add(sum.turn_b, cairn_motion_lever(row->impulse - of_a, row->lever_b));
-        }
-    }
-    return sum;
+    cairn_motion of_a = cairn_motion_share(impulse, share_a);
+    sum->turn_a = cairn_motion_add(sum->turn_a, cairn_motion_lever(of_a, ja));
+    sum->turn_b = cairn_motion_add(sum->turn_b, cairn_motion_lever(impulse - of_a, jb));
 }
 
-/* Adds to what is repeated, v - u, of a body. */
-static void repeat(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
+/* What the impulses that the rows hold do to the two. */
+CAIRN_ONCE void sum_repeated(const cairn_arbiter *arbiter, cairn_repeated *sum)
+{
+    cairn_motion rub = arbiter->friction_impulse;
+    sum->x = -cairn_motion_dir(rub, arbiter->normal_y);
+    sum->y = cairn_motion_dir(rub, arbiter->normal_x);
+    sum->turn_a = sum->turn_b = 0;
+    add(sum, rub, arbiter->share_a, arbiter->friction_lever_a, arbiter->friction_lever_b);
+    for (int k = 0; k < arbiter->count; k++) {
+        const cairn_row *row = &arbiter->rows[k];
+        sum->x += cairn_motion_dir(row->impulse, arbiter->normal_x);
+        sum->y += cairn_motion_dir(row->impulse, arbiter->normal_y);
+        add(sum, row->impulse, arbiter->share_a, row->lever_a, row->lever_b);
+    }
+}
+
+void cairn_body_repeat_less(cairn_body *body, cairn_motion x, cairn_motion y, cairn_motion turn)
 {
     if (!cairn_body_is_fixed(body)) {
-        body->ux = cairn_motion_before(body->ux, -x);
-        body->uy = cairn_motion_before(body->uy, -y);
+        body->ux = cairn_motion_before(body->ux, x);
+        body->uy = cairn_motion_before(body->uy, y);
     }
-    body->uw = cairn_motion_before(body->uw, -turn);
+    body->uw = cairn_motion_before(body->uw, turn);
 }
 
 /* Between sub-steps velocity changes are repeated, v + (v - u), and with them the rows' impulses: have that follow a change of these. */
 static void repeat_anew(const cairn_impact *i, const cairn_repeated *before)
 {
-    if (i->substep == 0 || cairn_arbiter_is_sliding(i->arbiter)) { /* the warm start reads the rows themselves */
+    const cairn_arbiter *arbiter = i->arbiter;
+    if (i->substep == 0 || cairn_arbiter_is_sliding(arbiter)) { /* the warm start reads the rows themselves */
         return;
     }
-    cairn_repeated now = repeated_of(i);
+    cairn_repeated now;
+    sum_repeated(arbiter, &now);
     cairn_motion x = cairn_motion_add(now.x, -before->x), y = cairn_motion_add(now.y, -before->y);
-    cairn_motion ax = cairn_motion_share(x, i->arbiter->share_a), ay = cairn_motion_share(y, i->arbiter->share_a);
-    if (i->arbiter->share_a != 0) {
-        repeat(i->a, -ax, -ay, cairn_motion_add(before->turn_a, -now.turn_a));
+    cairn_motion ax = cairn_motion_share(x, arbiter->share_a), ay = cairn_motion_share(y, arbiter->share_a);
+    if (arbiter->share_a != 0) {
+        cairn_body_repeat_less(i->body[0], ax, ay, cairn_motion_add(now.turn_a, -before->turn_a));
     }
-    repeat(i->b, x - ax, y - ay, cairn_motion_add(now.turn_b, -before->turn_b));
+    cairn_body_repeat_less(i->body[1], ax - x, ay - y, cairn_motion_add(before->turn_b, -now.turn_b));
 }
 
 /* An impact ends a contact: what held it until then is not to be repeated. */
@@ -76,7 +75,8 @@ static void forget_row(const cairn_impact *i, cairn_row *row)
     if (row->impulse == 0) {
         return;
     }
-    cairn_repeated before = repeated_of(i);
+    cairn_repeated before;
+    sum_repeated(i->arbiter, &before);
     row->impulse = 0;
     if (!i->adopted) {
         repeat_anew(i, &before);
@@ -84,11 +84,6 @@ static void forget_row(const cairn_impact *i, cairn_row *row)
 }
 
 /* ---- when and where ---- */
-
-/* How the two have moved in this step: centre against centre, and each by turning. */
-typedef struct course {
-    cairn_offset x, y, turn_a, turn_b;
-} course;
 
 static cairn_offset way(cairn_motion d, cairn_motion v, cairn_unit time)
 {
@@ -102,57 +97,60 @@ static cairn_offset fall(const cairn_impact *i, cairn_motion g, cairn_unit time)
 }
 
 /* Until a time of this sub-step; or, at its end, as the sweeps will see it: half a sub-step's fall farther down for each so far. */
-CAIRN_ONCE course course_at(const cairn_impact *i, cairn_unit time, bool of_sweeps)
+CAIRN_ONCE cairn_course course_at(const cairn_impact *i, cairn_unit time, bool of_sweeps)
 {
-    const cairn_body *a = i->a, *b = i->b;
-    course c;
+    const cairn_body *a = i->body[0], *b = i->body[1];
+    cairn_course c;
     c.x = way(b->dx, of_sweeps ? b->vx + i->gx : b->vx, time) - way(a->dx, a->vx, time) + (of_sweeps ? 0 : fall(i, i->gx, time));
     c.y = way(b->dy, of_sweeps ? b->vy + i->gy : b->vy, time) - way(a->dy, a->vy, time) + (of_sweeps ? 0 : fall(i, i->gy, time));
     c.turn_a = way(a->dw, a->w, time);
     c.turn_b = way(b->dw, b->w, time);
     return c;
 }
-static course course_until(const cairn_impact *i, cairn_unit time) { return course_at(i, time, false); }
-static course course_so_far(const cairn_impact *i) { return course_at(i, 0, false); }
-static course course_of_sweeps(const cairn_impact *i) { return course_at(i, CAIRN_UNIT(1), true); }
+static cairn_course course_until(const cairn_impact *i, cairn_unit time) { return course_at(i, time, false); }
+static cairn_course course_of_sweeps(const cairn_impact *i) { return course_at(i, CAIRN_UNIT(1), true); }
 
 /* How far a course has opened a row. */
-static cairn_motion opened(const cairn_impact *i, const cairn_row *row, const course *c)
+CAIRN_ONCE cairn_motion opened(const cairn_line *line, const cairn_course *c)
 {
-    return cairn_motion_from_offset(cairn_motion_along(c->x, c->y, i->arbiter->normal_x, i->arbiter->normal_y)
-                                    + cairn_motion_lever(c->turn_b, row->lever_b) - cairn_motion_lever(c->turn_a, row->lever_a));
+    return cairn_motion_from_offset(cairn_motion_along(c->x, c->y, line->x, line->y) + cairn_motion_lever(c->turn_b, line->lever[1])
+                                    - cairn_motion_lever(c->turn_a, line->lever[0]));
 }
 
-static cairn_pose turned(const cairn_body *body, cairn_offset turn)
+/* A body's pose when it has turned and, from the place where it was, moved. */
+CAIRN_ONCE void turn(const cairn_body *body, cairn_offset turn, cairn_pose *pose)
 {
-    cairn_pose pose;
-    pose.shape = body->model->shape;
-    pose.x = pose.y = 0;
-    pose.c = CAIRN_UNIT(1);
-    pose.s = 0;
+    pose->shape = body->model->shape;
+    pose->x = pose->y = 0;
+    pose->c = CAIRN_UNIT(1);
+    pose->s = 0;
     if (!cairn_body_is_round(body)) {
         cairn_angle by = cairn_angle_from_motion(cairn_motion_from_offset(turn), cairn_body_inverse_gyration(body));
-        cairn_angle_rotation(cairn_angle_add(body->angle, by), &pose.c, &pose.s);
+        cairn_angle_rotation(cairn_angle_add(body->angle, by), &pose->c, &pose->s);
     }
-    return pose;
 }
 
-static void contact_after(const cairn_impact *i, const course *c, cairn_manifold *out)
+/* The contact at a time of this sub-step, after the course until then. */
+static void look(cairn_impact *i, cairn_unit time, cairn_manifold *out)
 {
-    cairn_pose a = turned(i->a, c->turn_a), b = turned(i->b, c->turn_b);
-    b.x = cairn_bodies_apart_x(i->a, i->b) + c->x;
-    b.y = cairn_bodies_apart_y(i->a, i->b) + c->y;
-    cairn_poses_collide(&a, &b, SIGHT, out);
+    const cairn_body *a = i->body[0], *b = i->body[1];
+    cairn_pose pa, pb;
+    i->course = course_until(i, time);
+    turn(a, i->course.turn_a, &pa);
+    turn(b, i->course.turn_b, &pb);
+    pb.x = cairn_bodies_apart_x(a, b) + i->course.x;
+    pb.y = cairn_bodies_apart_y(a, b) + i->course.y;
+    cairn_poses_collide(&pa, &pb, SIGHT, out);
 }
 
-/* Makes the contact after a course the pair's rows. The impulses of points that persist act along these from now on. */
-static void adopt(cairn_world *world, cairn_impact *i, const course *c, const cairn_manifold *contact)
+/* Makes the contact that was looked at the pair's rows. The impulses of points that persist act along these from now on. */
+static void adopt(cairn_world *world, cairn_impact *i, const cairn_manifold *contact)
 {
     cairn_arbiter *arbiter = i->arbiter;
     i->changed = true;
     if (!i->adopted) {
         i->adopted = true;
-        i->before = repeated_of(i);
+        sum_repeated(arbiter, &i->before);
     }
     if (contact->count == 0) { /* they pass by one another */
         arbiter->count = 0;
@@ -161,18 +159,17 @@ static void adopt(cairn_world *world, cairn_impact *i, const course *c, const ca
     }
     uint8_t path = arbiter->path;
     cairn_arbiter_prepare(world, arbiter, contact);
-    if (cairn_body_is_round(i->a) || cairn_body_is_round(i->b)) { /* two polygons stay together more often, and gained nothing */
+    if (cairn_body_is_round(i->body[0]) || cairn_body_is_round(i->body[1])) { /* two polygons stay together more often, and gained nothing */
         i->lean = cairn_dir_lean(contact->normal_x, contact->normal_y, arbiter->normal_x, arbiter->normal_y);
     }
     if (i->substep != 0) {
         arbiter->path = path; /* whether its impulses are repeated with the bodies' changes does not alter within a step */
     }
-    i->x = c->x;
-    i->y = c->y;
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
         cairn_motion separation = cairn_motion_from_offset(contact->points[k].separation);
-        cairn_motion gap = cairn_motion_add(separation, -opened(i, row, c)); /* at the step's start */
+        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_motion gap = cairn_motion_add(separation, -opened(&line, &i->course)); /* at the step's start */
         if (gap > 0 || separation >= -CAIRN_IMPACT_DEEP) { /* what lies deeper is pushed out as ever */
             row->gap = gap > 0 ? gap : JUST_APART;
         }
@@ -189,16 +186,15 @@ static cairn_offset turning_of(const cairn_body *body) { return cairn_body_is_ro
 void cairn_impact_refresh(cairn_world *world, cairn_impact *i)
 {
     cairn_manifold contact;
-    if (turning_of(i->a) + turning_of(i->b) < CAIRN_IMPACT_TURNING) {
+    if (turning_of(i->body[0]) + turning_of(i->body[1]) < CAIRN_IMPACT_TURNING) {
         return;
     }
-    course end = course_until(i, CAIRN_UNIT(1));
-    contact_after(i, &end, &contact);
+    look(i, CAIRN_UNIT(1), &contact);
     /* Beyond the other's middle it would be pushed out at the far side. */
     bool passes = contact.count > 0
                && cairn_unit_dot(contact.normal_x, contact.normal_y, cairn_unit_from_dir(i->arbiter->normal_x), cairn_unit_from_dir(i->arbiter->normal_y)) <= 0;
     if (contact.count > 0 && !passes && size_of(contact.separation) < NEAR) {
-        adopt(world, i, &end, &contact);
+        adopt(world, i, &contact);
     }
 }
 
@@ -207,19 +203,6 @@ CAIRN_ONCE cairn_unit time_of(cairn_motion part, cairn_motion whole)
 {
     cairn_unit half = cairn_motion_fraction(cairn_motion_half(part), whole);
     return 2 * (half < CAIRN_UNIT(0.99) ? half : CAIRN_UNIT(0.99));
-}
-
-/* Does any point close faster than what is no impact? What leaves as fast is in flight. */
-static bool any_closes(const cairn_impact *i)
-{
-    bool any = false;
-    for (int k = 0; k < i->arbiter->count; k++) {
-        cairn_row *row = &i->arbiter->rows[k];
-        cairn_motion u = cairn_impact_row_velocity(i, row);
-        row->feature = (uint16_t)((row->feature & ~CAIRN_ROW_IN_FLIGHT) | cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT));
-        any = any || u < -i->rest;
-    }
-    return any;
 }
 
 /*
@@ -231,23 +214,23 @@ bool cairn_impact_foresee(cairn_impact *i)
     cairn_arbiter *arbiter = i->arbiter;
     bool hits = false;
     i->time = CAIRN_UNIT(1.98);
-    if (!any_closes(i)) {
-        return false;
-    }
-    cairn_motion gravity = cairn_impact_pull(i);
-    course now = course_so_far(i), end = course_of_sweeps(i);
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
-        cairn_motion u = cairn_impact_row_velocity(i, row), separation = opened(i, row, &now);
-        if (u >= -i->rest) {
+        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_motion u = cairn_impact_velocity(i, &line);
+        row->feature = (uint16_t)((row->feature & ~CAIRN_ROW_IN_FLIGHT) | cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT)); /* leaves so fast that it flies */
+        if (u >= -i->rest) { /* no impact */
             continue;
         }
+        cairn_motion gravity = cairn_impact_pull(i);
+        cairn_course now = course_until(i, 0), end = course_of_sweeps(i);
+        cairn_motion separation = opened(&line, &now);
         /* A pair that touched may have come apart by another impact in this step: then it meets only after that. */
         if (row->gap <= 0 && separation > cairn_motion_half(gravity * i->substep)) {
             row->gap = JUST_APART;
             i->changed = true;
         }
-        if (row->gap > 0 && cairn_motion_add(row->gap, opened(i, row, &end)) > CLOSE) {
+        if (row->gap > 0 && cairn_motion_add(row->gap, opened(&line, &end)) > CLOSE) {
             forget_row(i, row);
             row->feature |= CAIRN_ROW_IN_FLIGHT;
             continue;
@@ -264,26 +247,31 @@ bool cairn_impact_foresee(cairn_impact *i)
     return hits;
 }
 
-/* The first point to hit by the contact after this course, or -1 if none does in this sub-step. */
-static int measure(cairn_impact *i, const cairn_manifold *contact, const course *c)
+cairn_motion cairn_impact_closing(const cairn_impact *i, const cairn_line *line)
+{
+    cairn_motion closing = cairn_motion_unit(cairn_impact_pull(i), i->time) - cairn_impact_velocity(i, line);
+    return closing > i->rest ? closing : 0;
+}
+
+/* The first point to hit by the contact that was looked at, or -1 if none does in this sub-step. */
+static int measure(cairn_impact *i, const cairn_manifold *contact)
 {
     cairn_arbiter *arbiter = i->arbiter;
-    cairn_motion gravity = cairn_impact_pull(i);
-    course end = course_of_sweeps(i);
+    cairn_course end = course_of_sweeps(i);
     int first = -1;
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
-        cairn_motion closing = cairn_motion_unit(gravity, i->time) - cairn_impact_row_velocity(i, row);
-        cairn_motion start = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(i, row, c));
-        i->closing[k] = 0;
-        if (closing <= i->rest) {
+        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_motion start = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(&line, &i->course));
+        i->closing[k] = cairn_impact_closing(i, &line);
+        if (i->closing[k] == 0) {
             continue;
         }
-        if (cairn_motion_add(start, opened(i, row, &end)) > 2 * CLOSE) {
+        if (cairn_motion_add(start, opened(&line, &end)) > 2 * CLOSE) {
             row->feature |= CAIRN_ROW_IN_FLIGHT;
-        } else {
-            i->closing[k] = closing;
-            first = first < 0 || contact->points[k].separation < contact->points[first].separation ? k : first;
+            i->closing[k] = 0;
+        } else if (first < 0 || contact->points[k].separation < contact->points[first].separation) {
+            first = k;
         }
     }
     return first;
@@ -292,27 +280,21 @@ static int measure(cairn_impact *i, const cairn_manifold *contact, const course 
 /* Finds the contact at the moment of the impact, and the moment exactly; false if the two miss in this sub-step. */
 bool cairn_impact_meet(cairn_world *world, cairn_impact *i)
 {
-    for (int look = 0; look < LOOKS; look++) {
+    for (int look_no = 0; look_no < LOOKS; look_no++) {
         cairn_manifold contact;
-        course c = course_until(i, i->time);
-        contact_after(i, &c, &contact);
-        adopt(world, i, &c, &contact);
-        int first = measure(i, &contact, &c);
+        look(i, i->time, &contact);
+        adopt(world, i, &contact);
+        int first = measure(i, &contact);
         if (first < 0) {
             return false;
         }
-        cairn_motion to_go = cairn_motion_from_offset(contact.points[first].separation);
-        i->depth = -to_go;
-        cairn_unit by = time_of(to_go < 0 ? -to_go : to_go, i->closing[first]);
-        if (to_go < 0) {
-            by = by < i->time ? -by : -i->time;
-        } else if (by > CAIRN_UNIT(1.98) - i->time) {
-            by = CAIRN_UNIT(1.98) - i->time;
-        }
-        if (by == 0 || look == LOOKS - 1 || (to_go <= MET && -to_go <= MET)) {
+        i->depth = -cairn_motion_from_offset(contact.points[first].separation);
+        cairn_unit by = time_of(size_of(i->depth), i->closing[first]);
+        cairn_unit time = cairn_motion_above_zero(cairn_motion_add(i->time, i->depth > 0 ? -by : by), CAIRN_UNIT(1.98));
+        if (time == i->time || look_no == LOOKS - 1 || cairn_motion_is_within(i->depth, MET)) {
             break;
         }
-        i->time += by;
+        i->time = time;
     }
     return true;
 }
@@ -320,10 +302,10 @@ bool cairn_impact_meet(cairn_world *world, cairn_impact *i)
 /* Hands rows that were made within the step to the sweeps: their levers are those of another moment than the displacements, see slide.c. */
 void cairn_impact_hand_back(cairn_impact *i)
 {
-    cairn_body *a = i->a, *b = i->b;
+    const cairn_body *a = i->body[0], *b = i->body[1];
     if (cairn_arbiter_may_slide(a, b)) {
-        cairn_arbiter_slide(a, b, i->arbiter, cairn_offset_from_motion(b->dx) - cairn_offset_from_motion(a->dx) - i->x,
-                            cairn_offset_from_motion(b->dy) - cairn_offset_from_motion(a->dy) - i->y);
+        cairn_course now = course_at(i, 0, true);
+        cairn_arbiter_slide(a, b, i->arbiter, now.x - i->course.x, now.y - i->course.y);
         cairn_arbiter_mark_careful(i->arbiter, a, b);
     }
     repeat_anew(i, &i->before);
