@@ -404,7 +404,7 @@ cairn_unit cairn_offset_fraction(cairn_offset a, cairn_offset b)
 }
 
 /* size * scale / 2^33, rounded, with a sign: one component of the unit vector */
-static cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
+CAIRN_SHARED cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
 {
     int32_t u = (int32_t)((high_word(cairn_product(size, scale)) + 1) >> 1);
     u = u > CAIRN_UNIT(1) ? CAIRN_UNIT(1) : u;

@@ -187,7 +187,7 @@ static void start_point(const cairn_world *world, const cairn_arbiter *arbiter, 
         } else {
             row->bias = apart ? separation : 0;
         }
-        if (from->feature & CAIRN_ROW_IN_FLIGHT) {
+        if (cairn_row_is_in_flight(from)) {
             row->state = CAIRN_ROW_LOW; /* the impact phase's */
             row->limit = 0;
         }

@@ -176,7 +176,8 @@ static cairn_status check_model(const cairn_world *world, const cairn_body_model
     return !dynamic || is_like_others(world, model) ? CAIRN_OK : CAIRN_ERROR_KIND;
 }
 
-static cairn_body *take_place(cairn_world *world)
+/* And its place, of which the id is made without a division. */
+static cairn_body *take_place(cairn_world *world, uint16_t *at)
 {
     uint16_t place = world->body_free;
     if (place != CAIRN_NONE) {
@@ -187,6 +188,7 @@ static cairn_body *take_place(cairn_world *world)
     } else {
         return NULL;
     }
+    *at = place;
     cairn_body *body = &world->bodies[place];
     uint16_t generation = body->generation;
     cairn_clear(body, sizeof *body);
@@ -299,7 +301,8 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
     if (status == CAIRN_OK && (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE))) {
         status = CAIRN_ERROR_RANGE;
     }
-    cairn_body *body = status == CAIRN_OK ? take_place(world) : NULL;
+    cairn_body_id id;
+    cairn_body *body = status == CAIRN_OK ? take_place(world, &id.index) : NULL;
     if (body == NULL) {
         cairn_fail(world, status == CAIRN_OK ? CAIRN_ERROR_FULL : status);
         return cairn_body_id_null();
@@ -308,7 +311,9 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
     take_model(world, body, model);
     place(world, body, position, angle);
     disturb(world, body);
-    return cairn_body_id_of(world, body);
+    id.index++;
+    id.generation = body->generation;
+    return id;
 }
 
 cairn_status cairn_body_destroy(cairn_world *world, cairn_body_id id)

@@ -26,8 +26,8 @@ static void place_point(const cairn_body *a, const cairn_body *b, cairn_manifold
     cairn_offset r = cairn_offset_from_real((first ? a : b)->model->shape->size.x);
     cairn_unit2 n = { first ? manifold->normal_x : -manifold->normal_x, first ? manifold->normal_y : -manifold->normal_y };
     cairn_circle_place(r, n, manifold->points[0].separation, manifold);
-    manifold->points[0].x += first ? 0 : manifold->x;
-    manifold->points[0].y += first ? 0 : manifold->y;
+    manifold->points[0].x += first ? 0 : cairn_bodies_apart_x(a, b);
+    manifold->points[0].y += first ? 0 : cairn_bodies_apart_y(a, b);
 }
 
 static void describe(const cairn_world *world, const cairn_arbiter *arbiter, cairn_contact *contact)

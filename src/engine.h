@@ -100,6 +100,8 @@ static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
     (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
      || CAIRN_WITH_FIXED_POSITION || CAIRN_WITH_BLOCKS || CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_CONTINUOUS || CAIRN_WITH_SHORTCUTS \
      || CAIRN_WITH_HOLD)
+/* Where no rows are held and no shapes are cheaply told apart, pairs are looked at first, and their arbiter is found, or made, once they meet. */
+#define CAIRN_LOOKS_FIRST (!CAIRN_WITH_HOLD && !CAIRN_WITH_SHORTCUTS)
 static inline unsigned cairn_arbiter_turn(const cairn_arbiter *arbiter)
 {
     return CAIRN_HAS_WAYS ? arbiter->path & CAIRN_PATH_TURN : CAIRN_PATH_CENTRAL;
@@ -114,6 +116,16 @@ static inline bool cairn_body_is_dynamic(const cairn_body *body) { return (body-
 static inline bool cairn_body_is_active(const cairn_body *body)
 {
     return (body->flags & (CAIRN_BODY_USED | CAIRN_BODY_ASLEEP | CAIRN_STATIC)) == CAIRN_BODY_USED; /* only CAIRN_STATIC has that bit */
+}
+
+/*
+ * Does the step ask which bodies have met something, or hang on a spring? Where it does not, all that is active takes part in the sub-steps alike, and
+ * no flag says so.
+ */
+#define CAIRN_ASKS_WHO_MET (CAIRN_WITH_SHORTCUTS || CAIRN_WITH_SPRINGS || CAIRN_WITH_BOUNCE || CAIRN_WITH_FRICTION || CAIRN_WITH_SLEEP)
+static inline bool cairn_body_goes(const cairn_body *body)
+{
+    return CAIRN_ASKS_WHO_MET ? (body->flags & CAIRN_BODY_GOES) != 0 : cairn_body_is_active(body);
 }
 
 /* The same, but for platforms that stand still: moves, or may begin to, and so may wake what it touches. */
@@ -233,6 +245,12 @@ static inline cairn_motion cairn_arbiter_pressure(const cairn_arbiter *arbiter)
 }
 /* A function in a table, of contacts of two points: null in builds that know one point only. */
 #define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
+/* The same at the end of a table that is shorter then. */
+#if CAIRN_MAX_POINTS > 1
+#define CAIRN_AND_OF_TWO(function) , (function)
+#else
+#define CAIRN_AND_OF_TWO(function)
+#endif
 
 static inline bool cairn_body_can_turn(const cairn_body *body) { return CAIRN_WITH_TURNING && body->inverse_gyration != 0; }
 /* How it turns, in a sub-step and by its displacement. */
@@ -285,7 +303,7 @@ static inline cairn_offset cairn_bodies_apart_y(const cairn_body *a, const cairn
 }
 
 /* All zero. At -Os by a loop: a C library's own function, made for speed, is ten times as long. */
-static inline void cairn_clear(void *memory, size_t size)
+CAIRN_SHARED void cairn_clear(void *memory, size_t size)
 {
     volatile unsigned char *byte = memory; /* or gcc makes a memset of it */
     if (!CAIRN_SMALL) {
@@ -479,7 +497,10 @@ void cairn_collide_boxes(const cairn_pose *a, const cairn_pose *b, cairn_offset 
 void cairn_collide_polygons(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out);
 
 /* ---- arbiter.c ---- */
-/* The arbiter of a pair, null if there is none; and a new one, null if there is no room. What is found next is expected after it. */
+/*
+ * The arbiter of a pair, null if there is none; and a new one, null if there is no room: where nobody searches first (CAIRN_LOOKS_FIRST), the one that
+ * is there already. What is found next is expected after it.
+ */
 cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b);
 cairn_arbiter *cairn_arbiter_insert(cairn_world *world, uint16_t a, uint16_t b);
 /* May these two collide at all, by kind, layers and springs? */
@@ -524,8 +545,10 @@ void cairn_bodies_collide(const cairn_body *a, const cairn_body *b, cairn_offset
 static inline void cairn_arbiter_engage(cairn_world *world, cairn_arbiter *arbiter, cairn_body *a, cairn_body *b)
 {
     arbiter->flags |= CAIRN_ARBITER_SOLVED;
-    a->flags |= CAIRN_BODY_MET;
-    b->flags |= CAIRN_BODY_MET;
+    if (CAIRN_ASKS_WHO_MET) {
+        a->flags |= CAIRN_BODY_MET;
+        b->flags |= CAIRN_BODY_MET;
+    }
     if (CAIRN_WITH_BLOCKS && arbiter->block != 0) {
         world->uneven |= arbiter->block;
     }
@@ -622,6 +645,8 @@ static inline cairn_motion cairn_row_displacement(const cairn_body *a, const cai
  * next sub-step, or to begin the next step with it, would throw the bodies apart.
  */
 static inline bool cairn_row_came_flying(const cairn_row *row) { return row->gap > CAIRN_MOTION(0.005); }
+/* Only impacts leave a row to the next one. */
+static inline bool cairn_row_is_in_flight(const cairn_row *row) { return CAIRN_WITH_BOUNCE && (row->feature & CAIRN_ROW_IN_FLIGHT) != 0; }
 
 /*
  * Soft contacts: h w0 = 1.559 and damping ratio 4.76. Numerics found pi / 2 and 5; these are as near to it as sums of two shifts come, which

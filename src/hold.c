@@ -181,7 +181,7 @@ static void forget(cairn_arbiter *arbiter)
 }
 
 /* Impacts have their own ways; what is deeper than the push-out tells has no known gap. */
-static inline bool is_known(const cairn_row *row, cairn_motion deepest) { return !(row->feature & CAIRN_ROW_IN_FLIGHT) && row->gap > deepest; }
+static inline bool is_known(const cairn_row *row, cairn_motion deepest) { return !cairn_row_is_in_flight(row) && row->gap > deepest; }
 
 /* Of contacts of one point. True if the row may serve again; else the gap stays what it was when the step began, which tells what came in flight. */
 CAIRN_APART bool follow_one(cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b, cairn_motion deepest)

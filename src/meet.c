@@ -40,16 +40,18 @@ static void turn_round(cairn_manifold *manifold)
 void cairn_poses_collide(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, cairn_manifold *out)
 {
     const cairn_shape_class *kind_a = a->shape->kind, *kind_b = b->shape->kind;
-    out->x = b->x - a->x;
-    out->y = b->y - a->y;
+    if (CAIRN_HAS_PLACES) {
+        out->x = b->x - a->x;
+        out->y = b->y - a->y;
+    }
     if (CAIRN_WITH_CONTINUOUS) {
         out->time = 0;
     }
     if (kind_a->rank <= kind_b->rank) {
-        kind_b->collide[kind_a->rank](a, b, margin, out);
+        kind_b->collide[CAIRN_MAX_POINTS == 1 ? 0 : kind_a->rank](a, b, margin, out);
     } else {
         out->normal_x = out->normal_y = 0; /* not set where there is no contact */
-        kind_a->collide[kind_b->rank](b, a, margin, out);
+        kind_a->collide[CAIRN_MAX_POINTS == 1 ? 0 : kind_b->rank](b, a, margin, out);
         turn_round(out);
     }
 }
@@ -183,8 +185,15 @@ static bool may_look(const cairn_world *world, const cairn_body *a, const cairn_
         && cairn_bodies_may_meet(world, a, b);
 }
 
+/* A circle's contact takes less on the stack than a call in flash. */
+#if CAIRN_MAX_POINTS > 1
+#define OF_NEW_ROWS CAIRN_APART
+#else
+#define OF_NEW_ROWS static
+#endif
+
 /* Look at a pair, whose arbiter is null if there is none yet. */
-CAIRN_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
+OF_NEW_ROWS void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
 {
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
@@ -264,8 +273,8 @@ static inline void keep(cairn_world *world, cairn_arbiter *arbiter, cairn_body *
 /* The body that does not move, else the one with the lower place, comes first. */
 static inline bool are_in_order(const cairn_world *world, uint16_t a, uint16_t b)
 {
-    bool dynamic = cairn_body_is_dynamic(&world->bodies[a]);
-    return dynamic == cairn_body_is_dynamic(&world->bodies[b]) ? a < b : !dynamic;
+    bool a_moves = cairn_body_is_dynamic(&world->bodies[a]), b_moves = cairn_body_is_dynamic(&world->bodies[b]);
+    return a_moves ? b_moves && a < b : b_moves || a < b;
 }
 
 void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
@@ -285,7 +294,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
         if (MAY_BE_BEYOND && are_beyond(body_a, body_b)) {
             return;
         }
-        arbiter = cairn_arbiter_search(world, a, b);
+        arbiter = CAIRN_LOOKS_FIRST ? NULL : cairn_arbiter_search(world, a, b);
     }
     if (arbiter != NULL && cairn_arbiter_holds(arbiter, body_a, body_b)) {
         keep(world, arbiter, body_a, body_b);

@@ -87,7 +87,9 @@ void cairn_bodies_look_ahead(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     bool watches = cairn_world_continuous(world) != NULL;
-    world->fast = 0;
+    if (CAIRN_WITH_CONTINUOUS) {
+        world->fast = 0;
+    }
     if (CAIRN_WITH_SHORTCUTS) {
         world->coasted = false;
     }
@@ -100,7 +102,9 @@ void cairn_bodies_look_ahead(cairn_world *world)
         bool brisk = way > BRISK;
         body->dx = body->dy = 0;
         body->dw = way;
-        body->flags &= (uint16_t)~CAIRN_BODY_FAST;
+        if (CAIRN_WITH_CONTINUOUS) {
+            body->flags &= (uint16_t)~CAIRN_BODY_FAST;
+        }
         if (CAIRN_WITH_SLOPES && (body->extent_x == 0 || (!brisk && (body->flags & CAIRN_BODY_WIDE)))) {
             cairn_body_face(body);
             set_extents(body, brisk);
@@ -125,11 +129,16 @@ void cairn_bodies_end_search(cairn_world *world)
             if (cairn_body_way(body) > BRISK) {
                 narrow(body);
             }
-            body->dx = body->dy = body->dw = 0;
-            body->flags &= (uint16_t)~CAIRN_BODY_FACING;
+            body->dw = 0;
+            if (CAIRN_WITH_SLOPES || CAIRN_WITH_CONTINUOUS) { /* else they are */
+                body->dx = body->dy = 0;
+                body->flags &= (uint16_t)~CAIRN_BODY_FACING;
+            }
         }
     }
-    world->held_back = false;
+    if (CAIRN_WITH_CONTINUOUS) {
+        world->held_back = false;
+    }
 }
 
 /* 1 / (1 + c dt) off the velocity once a step: implicit, so any damping is stable. */
@@ -169,7 +178,9 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
     }
     body->ux = body->vx;
     body->uy = body->vy;
-    body->uw = body->w;
+    if (CAIRN_WITH_TURNING) {
+        body->uw = body->w;
+    }
     if (body->flags & CAIRN_BODY_PLAIN) {
         body->vx = cairn_motion_add(body->vx + gx, fx);
         body->vy = cairn_motion_add(body->vy + gy, fy);
@@ -225,9 +236,12 @@ static void calm(const cairn_world *world, cairn_body *body)
             body->w -= cairn_motion_ratio(body->w, cairn_world_rest_damping(world));
         }
     }
-    if (!(body->flags & CAIRN_BODY_RESTLESS) && is_still(world, body)) {
-        body->vx = body->vy = body->w = 0;
-        body->dx = body->dy = body->dw = 0;
+    if (!((CAIRN_WITH_BLOCKS || CAIRN_WITH_SLEEP) && (body->flags & CAIRN_BODY_RESTLESS)) && is_still(world, body)) {
+        body->vx = body->vy = 0;
+        body->dx = body->dy = 0;
+        if (CAIRN_WITH_TURNING) {
+            body->w = body->dw = 0;
+        }
     }
 }
 
@@ -278,7 +292,7 @@ static void mark_held(cairn_world *world)
         if (!CAIRN_WITH_HOLD) { /* else hold.c does it */
             arbiter->flags = (uint8_t)(flags &= ~(unsigned)CAIRN_ARBITER_FRESH);
         }
-        if (!(flags & CAIRN_ARBITER_SOLVED)) {
+        if ((CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_SHORTCUTS) && !(flags & CAIRN_ARBITER_SOLVED)) {
             continue;
         }
         cairn_motion first = arbiter->rows[0].impulse, second = cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0;
@@ -313,7 +327,7 @@ static inline void move(cairn_world *world, cairn_body *body)
     cairn_residue rx = body->x_residue, ry = body->y_residue;
     cairn_coordinate_move(&body->x, &rx, body->dx);
     cairn_coordinate_move(&body->y, &ry, body->dy);
-    if (!cairn_real_is_within(body->x, CAIRN_WORLD_EDGE) || !cairn_real_is_within(body->y, CAIRN_WORLD_EDGE)) {
+    if (CAIRN_SMALL || !cairn_real_is_within(body->x, CAIRN_WORLD_EDGE) || !cairn_real_is_within(body->y, CAIRN_WORLD_EDGE)) {
         stop_at_edge(world, &body->x, &rx, &body->vx, &body->dx);
         stop_at_edge(world, &body->y, &ry, &body->vy, &body->dy);
     }
@@ -359,9 +373,12 @@ static inline void finish(cairn_world *world, cairn_body *body)
     if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
         cairn_body_limit_speed(world, body);
     }
-    body->flags &= (uint16_t)~(CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS);
+    body->flags &= (uint16_t)~(CAIRN_ASKS_WHO_MET ? CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS : CAIRN_BODY_HELD);
     move(world, body);
-    body->uy = body->uw = 0;
+    body->uy = 0;
+    if (CAIRN_WITH_TURNING) {
+        body->uw = 0;
+    }
 }
 
 void cairn_bodies_finish(cairn_world *world)
@@ -370,7 +387,7 @@ void cairn_bodies_finish(cairn_world *world)
     const cairn_body *end = world->bodies + world->body_end;
     for (cairn_body *body = world->bodies; body != end;) {
         cairn_body *next = body + 1;
-        if (body->flags & (CAIRN_BODY_GOES | CAIRN_BODY_HELD)) {
+        if (CAIRN_ASKS_WHO_MET ? (body->flags & (CAIRN_BODY_GOES | CAIRN_BODY_HELD)) != 0 : cairn_body_goes(body)) {
             finish(world, body);
         } else if (CAIRN_WITH_SHORTCUTS && world->coasted) {
             next = cairn_body_skip(world, body);

@@ -141,8 +141,8 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
 {
     const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_unit nx = manifold->normal_x, ny = manifold->normal_y;
-    cairn_offset b_height = cairn_offset_dot(manifold->x, manifold->y, nx, ny);
-    cairn_offset b_arm = cairn_offset_dot(manifold->x, manifold->y, -ny, nx);
+    cairn_offset b_height = !CAIRN_HAS_PLACES ? 0 : cairn_offset_dot(manifold->x, manifold->y, nx, ny);
+    cairn_offset b_arm = !CAIRN_HAS_PLACES ? 0 : cairn_offset_dot(manifold->x, manifold->y, -ny, nx);
     cairn_factor linear = cairn_factor_from_share((cairn_body_is_fixed(a) ? 0 : arbiter->share_a)
                                                   + (cairn_body_is_fixed(b) ? 0 : cairn_arbiter_share_b(arbiter)));
 

@@ -23,5 +23,5 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, CAIRN_HAS_EXTENTS ? extents : NULL, { cairn_collide_circle_box, CAIRN_OF_TWO(cairn_collide_boxes), NULL }
+    1, check, CAIRN_HAS_EXTENTS ? extents : NULL, { cairn_collide_circle_box CAIRN_AND_OF_TWO(cairn_collide_boxes) }
 };

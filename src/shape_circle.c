@@ -29,4 +29,4 @@ void cairn_collide_circles(const cairn_pose *a, const cairn_pose *b, cairn_offse
     }
 }
 
-const cairn_shape_class cairn_circle_class = { 0, check, CAIRN_HAS_EXTENTS ? extents : NULL, { cairn_collide_circles, NULL, NULL } };
+const cairn_shape_class cairn_circle_class = { 0, check, CAIRN_HAS_EXTENTS ? extents : NULL, { cairn_collide_circles } };

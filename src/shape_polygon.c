@@ -25,5 +25,5 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 
 const cairn_shape_class cairn_polygon_class = {
     2, check, extents,
-    { cairn_collide_circle_polygon, CAIRN_OF_TWO(cairn_collide_polygons), CAIRN_OF_TWO(cairn_collide_polygons) }
+    { cairn_collide_circle_polygon CAIRN_AND_OF_TWO(cairn_collide_polygons) CAIRN_AND_OF_TWO(cairn_collide_polygons) }
 };

@@ -51,7 +51,7 @@ CAIRN_APART void repeat_all(cairn_world *world, cairn_motion gx, cairn_motion gy
     unsigned falls_anew = gx != 0 || gy != 0 ? CAIRN_BODY_PLAIN : 0; /* by a last bit now and then */
     for (cairn_body *body = world->bodies; body != end;) {
         unsigned flags = body->flags;
-        if (!(flags & CAIRN_BODY_GOES)) {
+        if (!cairn_body_goes(body)) {
             body = cairn_body_skip(world, body);
             continue;
         }
@@ -87,7 +87,7 @@ CAIRN_APART void advance(cairn_world *world)
 {
     const cairn_body *end = world->bodies + world->body_end;
     for (cairn_body *body = world->bodies; body != end;) {
-        if (!(body->flags & CAIRN_BODY_GOES)) {
+        if (!cairn_body_goes(body)) {
             body = cairn_body_skip(world, body);
             continue;
         }
@@ -162,7 +162,7 @@ static bool goes(const cairn_world *world, cairn_body *body, const fall *f)
     if (!cairn_body_is_active(body)) {
         return false;
     }
-    if (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING)) {
+    if (!CAIRN_ASKS_WHO_MET || (body->flags & (CAIRN_BODY_MET | CAIRN_BODY_SPRING))) {
         return true;
     }
     if (coast(world, body, f)) {
@@ -188,7 +188,9 @@ CAIRN_APART void start(cairn_world *world, const fall *f, cairn_motion gx, cairn
                 idle->ux = (cairn_motion)(body - world->bodies);
                 idle = NULL;
             }
-            body->flags |= CAIRN_BODY_GOES;
+            if (CAIRN_ASKS_WHO_MET) {
+                body->flags |= CAIRN_BODY_GOES;
+            }
             cairn_body_start(world, body, gx, gy);
             moved++;
             continue;

@@ -100,7 +100,7 @@ static bool may_be_far(const cairn_arbiter *arbiter)
  * the same one, all boxes of a column that settles would begin to turn the same way. Held rows keep their order in the biased
  * pass, where turns would leave a wide pyramid breathing for ever, and on something static, where they come to rest sooner.
  */
-static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pass *careful, unsigned from_last)
+static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pass *careful, cairn_pass pass, unsigned from_last)
 {
     const uint16_t *at = CAIRN_HAS_WAYS ? world->swept + world->swept_ends[CAIRN_PATH_NONE] : world->order;
     const uint16_t *const end = CAIRN_HAS_WAYS ? world->swept + world->swept_ends[CAIRN_PATH_TURN] : at + world->arbiter_count;
@@ -113,7 +113,9 @@ static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pa
             at = quick[path & CAIRN_PATH_ALIKE ? 0 : path & CAIRN_PATH_TURN](world, at, end, begins_with_last);
         } else {
             at++;
-            if (!CAIRN_WITH_SHORTCUTS || !may_be_far(arbiter) || !cairn_is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter)) {
+            if (CAIRN_IS_PUSH_ALONE && !CAIRN_WITH_SHORTCUTS) {
+                cairn_push_alone(world, arbiter, pass);
+            } else if (!CAIRN_WITH_SHORTCUTS || !may_be_far(arbiter) || !cairn_is_far(&world->bodies[arbiter->a], &world->bodies[arbiter->b], arbiter)) {
                 careful(world, arbiter, begins_with_last);
             }
         }
@@ -122,12 +124,12 @@ static void sweep(cairn_world *world, cairn_way *const quick[], cairn_careful_pa
 
 #define QUICK(ways) (CAIRN_WITH_QUICK_WAYS ? (ways) : NULL)
 
-void cairn_sweep_warm_start(cairn_world *world) { sweep(world, QUICK(cairn_warm_start_ways), cairn_careful_warm_start, CAIRN_PATH_FRESH); }
+void cairn_sweep_warm_start(cairn_world *world) { sweep(world, QUICK(cairn_warm_start_ways), cairn_careful_warm_start, CAIRN_WARM_START, CAIRN_PATH_FRESH); }
 void cairn_sweep_biased(cairn_world *world, int substep)
 {
-    sweep(world, QUICK(cairn_biased_ways), cairn_careful_biased_pass, substep & 1 ? CAIRN_PATH_FRESH : 0u);
+    sweep(world, QUICK(cairn_biased_ways), cairn_careful_biased_pass, CAIRN_BIASED, substep & 1 ? CAIRN_PATH_FRESH : 0u);
 }
 void cairn_sweep_relax(cairn_world *world, int substep)
 {
-    sweep(world, QUICK(cairn_relax_ways), cairn_careful_relax_pass, substep & 1 ? CAIRN_PATH_FRESH | CAIRN_PATH_FREE : 0u);
+    sweep(world, QUICK(cairn_relax_ways), cairn_careful_relax_pass, CAIRN_RELAX, substep & 1 ? CAIRN_PATH_FRESH | CAIRN_PATH_FREE : 0u);
 }

@@ -31,6 +31,10 @@ extern cairn_way *const cairn_warm_start_ways[CAIRN_PATH_TURN + 1], *const cairn
 /* ---- sweep_careful.c: the same of one contact, from its first point on or from its last ---- */
 typedef void cairn_careful_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last);
 cairn_careful_pass cairn_careful_warm_start, cairn_careful_biased_pass, cairn_careful_relax_pass;
+/* Where nothing turns, rubs or bounces a contact is one push along its normal, and one function serves all three passes. */
+#define CAIRN_IS_PUSH_ALONE (!CAIRN_WITH_TURNING && !CAIRN_WITH_FRICTION && !CAIRN_WITH_BOUNCE && CAIRN_MAX_POINTS == 1)
+typedef enum cairn_pass { CAIRN_WARM_START, CAIRN_BIASED, CAIRN_RELAX } cairn_pass;
+void cairn_push_alone(const cairn_world *world, cairn_arbiter *arbiter, cairn_pass pass);
 /* The new impulse of a point that was apart when the step began, where the row's velocity is u. */
 cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);
 cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u);

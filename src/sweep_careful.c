@@ -24,7 +24,7 @@ static cairn_motion softened(const cairn_row *row, cairn_motion u, cairn_motion 
 cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     cairn_motion moved = cairn_row_displacement(a, b, arbiter, row), separation = cairn_motion_add(row->gap, moved);
-    if (row->feature & CAIRN_ROW_IN_FLIGHT) {
+    if (cairn_row_is_in_flight(row)) {
         return 0;
     }
     if (separation > 0) {
@@ -36,7 +36,7 @@ cairn_motion cairn_biased_apart(const cairn_body *a, const cairn_body *b, const 
 cairn_motion cairn_relaxed_apart(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, const cairn_row *row, cairn_motion u)
 {
     cairn_motion separation = cairn_motion_add(row->gap, cairn_row_displacement(a, b, arbiter, row));
-    if (row->feature & CAIRN_ROW_IN_FLIGHT) {
+    if (cairn_row_is_in_flight(row)) {
         return 0;
     }
     return pressed(less(row->impulse, separation > 0 ? cairn_motion_add(u, separation) : u, row->mass));
@@ -249,10 +249,34 @@ static void finish(const pair_state *pair, const cairn_arbiter *arbiter, cairn_m
     shift_pair(pair, arbiter, rub, of_a, of_b);
 }
 
-void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
+/* The first of the arbiter's rows is all there is. */
+void cairn_push_alone(const cairn_world *world, cairn_arbiter *arbiter, cairn_pass pass)
 {
     pair_state pair = pair_of(world, arbiter);
+    bool quick = goes_quick(&pair, arbiter, false);
+    cairn_row *row = &arbiter->rows[0];
+    cairn_motion change = row->impulse;
+    if (pass != CAIRN_WARM_START) { /* which gives all of it again */
+        change = (pass == CAIRN_BIASED ? biased(&pair, arbiter, row, pair.linear) : relaxed(&pair, arbiter, row, pair.linear)) - row->impulse;
+        if (row->gap > 0) {
+            cairn_motion most = pass == CAIRN_BIASED ? CAIRN_CLOSED : CAIRN_GIVEN;
+            change = cairn_motion_clamp(change, quick ? most : CAIRN_IMPULSE_MAX);
+        }
+        row->impulse += change;
+    }
+    pair.push_a = part_of_a(arbiter, change);
+    pair.push_b = cairn_fine_of(change) - pair.push_a;
+    shift_pair(&pair, arbiter, 0, 0, 0);
+}
+
+void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
+{
     (void)from_last; /* given at once, in whichever order */
+    if (CAIRN_IS_PUSH_ALONE) {
+        cairn_push_alone(world, arbiter, CAIRN_WARM_START);
+        return;
+    }
+    pair_state pair = pair_of(world, arbiter);
     limit_spins(&pair);
     int count = cairn_arbiter_points(arbiter);
     for (int i = 0; i < count; i++) {
@@ -261,20 +285,10 @@ void cairn_careful_warm_start(const cairn_world *world, cairn_arbiter *arbiter, 
     finish(&pair, arbiter, cairn_motion_clamp(arbiter->friction_impulse, CAIRN_IMPULSE_MAX));
 }
 
-/* All that a biased or a relax pass is where nothing turns or rubs. */
-#define IS_PUSH_ALONE (!CAIRN_WITH_TURNING && !CAIRN_WITH_FRICTION && CAIRN_MAX_POINTS == 1)
-CAIRN_APART void push_alone(const cairn_world *world, cairn_arbiter *arbiter, row_rule *rule, cairn_motion most)
-{
-    pair_state pair = pair_of(world, arbiter);
-    pair.most = goes_quick(&pair, arbiter, false) ? most : CAIRN_IMPULSE_MAX;
-    press_rows(&pair, arbiter, rule, false);
-    shift_pair(&pair, arbiter, 0, 0, 0);
-}
-
 void cairn_careful_biased_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
-    if (IS_PUSH_ALONE) {
-        push_alone(world, arbiter, biased, CAIRN_CLOSED);
+    if (CAIRN_IS_PUSH_ALONE) {
+        cairn_push_alone(world, arbiter, CAIRN_BIASED);
         return;
     }
     pair_state pair = pair_of(world, arbiter);
@@ -301,8 +315,8 @@ static cairn_motion rub(const pair_state *pair, const cairn_world *world, cairn_
 
 void cairn_careful_relax_pass(const cairn_world *world, cairn_arbiter *arbiter, bool from_last)
 {
-    if (IS_PUSH_ALONE) {
-        push_alone(world, arbiter, relaxed, CAIRN_GIVEN);
+    if (CAIRN_IS_PUSH_ALONE) {
+        cairn_push_alone(world, arbiter, CAIRN_RELAX);
         return;
     }
     pair_state pair = pair_of(world, arbiter);

@@ -90,6 +90,12 @@ static void begin_with(cairn_world *world, const cairn_solver_class *solver, con
     }
 }
 
+static bool is_gravity_valid(cairn_vec2 gravity)
+{
+    cairn_real limit = CAIRN_F(2000);
+    return gravity.x <= limit && -gravity.x <= limit && gravity.y <= limit && -gravity.y <= limit;
+}
+
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
                                    const cairn_continuous_class *continuous)
 {
@@ -121,7 +127,13 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
         world->order[i] = i;
     }
     begin_with(world, solver, continuous);
-    return cairn_world_set_gravity(world, gravity) == CAIRN_OK ? world : NULL;
+    if (!is_gravity_valid(gravity)) {
+        cairn_fail(world, CAIRN_ERROR_RANGE);
+        return NULL;
+    }
+    world->gravity = gravity;
+    derive(world);
+    return world;
 }
 
 static void find_pairs(cairn_world *world)
@@ -226,8 +238,7 @@ static cairn_status may_change(cairn_world *world, bool in_range, bool as_before
 
 cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity)
 {
-    cairn_real limit = CAIRN_F(2000);
-    cairn_status status = may_set(world, gravity.x <= limit && -gravity.x <= limit && gravity.y <= limit && -gravity.y <= limit);
+    cairn_status status = may_set(world, is_gravity_valid(gravity));
     if (status == CAIRN_OK) {
         world->gravity = gravity;
         derive(world);

@@ -48,8 +48,8 @@ typedef struct cairn_shape_class {
     cairn_status (*check)(const struct cairn_shape *shape);
     /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). */
     void (*extents)(const struct cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
-    /* The contact of a (of lower or equal rank) with b, seen from a's centre of mass; by the rank of a. */
-    void (*collide[3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
+    /* The contact of a (of lower or equal rank) with b, seen from a's centre of mass; by the rank of a. One of two is round where contacts have one point. */
+    void (*collide[CAIRN_MAX_POINTS == 1 ? 1 : 3])(const struct cairn_pose *a, const struct cairn_pose *b, cairn_offset margin, struct cairn_manifold *out);
 } cairn_shape_class;
 
 extern const cairn_shape_class cairn_circle_class;
