@@ -43,7 +43,7 @@ static const uint8_t inverse_start[32] = {
 
 /* ---- shared by the rest ---- */
 
-static uint32_t magnitude(int32_t x)
+CAIRN_SHARED uint32_t magnitude(int32_t x)
 {
     return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
 }
@@ -105,9 +105,22 @@ CAIRN_ONCE uint32_t inverse_root_32(uint32_t m)
     return corrected(r, ((d + 1) >> 1) + (int32_t)(square >> 31));
 }
 
+/* a / b in so many bits behind the point, 1 to 32, rounded to nearest, halves upwards; a <= b, a < b for 32. Bit by bit. */
+static uint32_t quotient(uint32_t a, uint32_t b, int bits)
+{
+    uint32_t q = 0;
+    for (; bits > 0; bits--) {
+        uint32_t lack = b - a; /* 2 a - b is a - lack, and does not overflow */
+        q = 2 * q + (a >= lack);
+        a = a >= lack ? a - lack : 2 * a;
+    }
+    return q + (a >= b - a);
+}
+
 /* a / b in Q31, rounded to nearest; a <= b, b at least 2^31. */
 static uint32_t fraction(uint32_t a, uint32_t b)
 {
+    if (CAIRN_SMALL) { return quotient(a, b, 31); }
     uint32_t q = high_word(cairn_product(a, inverse_32(b)));
     int64_t rest = (int64_t)(((uint64_t)a << 31) - cairn_product(q, b));
 
@@ -116,9 +129,21 @@ static uint32_t fraction(uint32_t a, uint32_t b)
     return 2 * rest >= (int64_t)b ? q + 1 : q;
 }
 
+/* The same as below, bit by bit: the greatest s with (s - 1/2)^2 < x, which for whole numbers is s (s - 1) < x. */
+static uint32_t root_by_bits(uint64_t x)
+{
+    uint32_t s = 0;
+    for (uint32_t bit = 0x80000000u; bit != 0; bit >>= 1) {
+        uint32_t more = s + bit;
+        if (cairn_product(more, more - 1) < x) { s = more; }
+    }
+    return s;
+}
+
 /* The square root rounded to nearest, at most 2^32 - 1. */
 static uint32_t root(uint64_t x)
 {
+    if (CAIRN_SMALL) { return root_by_bits(x); }
     int shift;
     uint64_t m;
     uint32_t r, s;
@@ -238,17 +263,7 @@ cairn_angle cairn_angle_from_radians(cairn_real radians)
 
 cairn_angle cairn_angle_of_turn(int32_t part, int32_t whole)
 {
-    /* part * 2^32 / whole, bit by bit: a division may be a function of 266 bytes */
-    uint32_t rest = (uint32_t)part, under = (uint32_t)whole, turn = 0;
-    for (int i = 0; i < 32; i++) {
-        rest <<= 1;
-        turn <<= 1;
-        if (rest >= under) {
-            rest -= under;
-            turn++;
-        }
-    }
-    return (cairn_angle)(2 * rest >= under ? turn + 1 : turn);
+    return (cairn_angle)quotient((uint32_t)part, (uint32_t)whole, 32);
 }
 
 /* ---- cairn_wide ---- */
@@ -259,20 +274,25 @@ static cairn_wide_word word_of(uint32_t mantissa, int32_t exponent) { return (ui
 /* x * 2^exponent, rounded to 32 bits. */
 static cairn_wide_word word_from_64(uint64_t x, int32_t exponent)
 {
-    int shift;
     uint32_t mantissa;
 
     if (x == 0) { return 0; }
-    shift = clz64(x);
-    x <<= shift;
+    if (CAIRN_SMALL) { /* by single bits, and not by a function that shifts by any number */
+        for (; x >> 63 == 0; x <<= 1) { exponent--; }
+    } else {
+        int shift = clz64(x);
+        x <<= shift;
+        exponent -= shift;
+    }
     mantissa = high_word(x) + ((uint32_t)x >> 31);
-    exponent += 32 - shift;
+    exponent += 32;
     return mantissa != 0 ? word_of(mantissa, exponent) : word_of(0x80000000u, exponent + 1);
 }
 
-cairn_wide_word cairn_word_of(int32_t x, int exponent)
+/* The binary point's place comes with the sign that most calls have it in: Thumb must make negative numbers of positive ones. */
+cairn_wide_word cairn_word_of(int32_t x, int places)
 {
-    return word_from_64(magnitude(x), exponent);
+    return word_from_64(magnitude(x), -places);
 }
 
 cairn_wide_word cairn_word_from_area(cairn_area a)
@@ -337,7 +357,7 @@ cairn_wide_word cairn_word_sqrt(cairn_wide_word a)
 }
 
 /* x / 2^shift rounded, shift from 1 on; x < 2^63 */
-static uint64_t shifted(uint64_t x, int shift)
+CAIRN_SHARED uint64_t shifted(uint64_t x, int shift)
 {
     if (!CAIRN_SMALL && shift > 32) { /* the common case of what comes to 32 bits: the high word alone */
         return shift > 63 ? 0 : ((high_word(x) >> (shift - 33)) + 1) >> 1;
@@ -414,9 +434,10 @@ CAIRN_SHARED cairn_unit component(uint32_t size, uint32_t scale, int32_t sign)
 /* One of the two is zero. */
 CAIRN_ONCE cairn_offset along_axis(cairn_offset x, cairn_offset y, cairn_unit *ux, cairn_unit *uy)
 {
-    cairn_offset along = y != 0 ? y : x;
-    *ux = *uy = 0;
-    *(y != 0 ? uy : ux) = along < 0 ? -CAIRN_UNIT(1) : CAIRN_UNIT(1);
+    cairn_offset along = x + y;
+    cairn_unit way = (along >> 31 | 1) * CAIRN_UNIT(1); /* with the sign */
+    *ux = y != 0 ? 0 : way;
+    *uy = y != 0 ? way : 0;
     return with_sign(magnitude(along), 1);
 }
 
@@ -428,17 +449,19 @@ cairn_offset cairn_unit_along(cairn_offset x, cairn_offset y, cairn_unit *ux, ca
 
     if (x == 0 || y == 0) { return along_axis(x, y, ux, uy); }
 
-    /* Scale so that the squared length lies in [2^62, 2^64). */
-    shift = cairn_clz(ax | ay) - 1;
+    /* Scale so that the squared length lies in [2^62, 2^64): at once, but for a last bit, or bit by bit. */
+    shift = CAIRN_SMALL ? 0 : cairn_clz(ax | ay) - 1;
     shift = shift < 0 ? 0 : shift; /* 2^31 itself */
     ax <<= shift;
     ay <<= shift;
     square = cairn_product(ax, ax) + cairn_product(ay, ay);
     if (high_word(square) >> 30 == 0) {
-        ax <<= 1;
-        ay <<= 1;
-        square <<= 2;
-        shift++;
+        do {
+            ax <<= 1;
+            ay <<= 1;
+            square <<= 2;
+            shift++;
+        } while (CAIRN_SMALL && high_word(square) >> 30 == 0);
     }
     r = inverse_root_32(high_word(square));
     *ux = component(ax, r, x);
@@ -546,7 +569,7 @@ cairn_motion cairn_motion_closing(cairn_motion u, cairn_motion g, cairn_motion s
 
 cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
 {
-    int32_t quotient = cairn_word_scale(cairn_word_div(cairn_word_of(x, -28), cairn_word_of(f, -20)), 1, 28);
+    int32_t quotient = cairn_word_scale(cairn_word_div(cairn_word_of(x, 28), cairn_word_of(f, 20)), 1, 28);
     return x < 0 ? -quotient : quotient;
 }
 

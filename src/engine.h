@@ -284,7 +284,7 @@ static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cair
         cairn_angle_rotation(body->angle, c, s);
     }
 }
-static inline cairn_motion cairn_body_held_x(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dx; }
+CAIRN_SHARED cairn_motion cairn_body_held_x(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dx; }
 static inline cairn_motion cairn_body_held_y(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dy; }
 static inline cairn_real cairn_body_way(const cairn_body *body) { return (cairn_real)body->dw; }
 

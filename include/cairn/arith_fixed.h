@@ -275,7 +275,7 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_word(cairn_wide_word w)
     a.exponent = (int32_t)(uint32_t)(w >> 32);
     return a;
 }
-cairn_wide_word cairn_word_of(int32_t x, int exponent);
+cairn_wide_word cairn_word_of(int32_t x, int places);
 cairn_wide_word cairn_word_mul(cairn_wide_word a, cairn_wide_word b);
 cairn_wide_word cairn_word_div(cairn_wide_word a, cairn_wide_word b);
 cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b);
@@ -286,8 +286,10 @@ cairn_wide_word cairn_word_from_area(cairn_area a);
 cairn_wide_word cairn_word_from_sum(cairn_offset a, cairn_offset b);
 int32_t cairn_word_scale(cairn_wide_word k, int32_t x, int exponent);
 
+CAIRN_SHARED cairn_wide_word cairn_word_from_int(int32_t x) { return cairn_word_of(x, 0); }
+
 /* |x| * 2^exponent */
-CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_of(int32_t x, int exponent) { return cairn_wide_from_word(cairn_word_of(x, exponent)); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_of(int32_t x, int exponent) { return cairn_wide_from_word(cairn_word_of(x, -exponent)); }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_mul(cairn_wide a, cairn_wide b)
 {
     return cairn_wide_from_word(cairn_word_mul(cairn_wide_to_word(a), cairn_wide_to_word(b)));
@@ -341,7 +343,7 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_unpack(cairn_packed p)
 }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_real(cairn_real x) { return cairn_wide_of(x, -16); }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_offset(cairn_offset x) { return cairn_wide_of(x, -22); }
-CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_of(x, 0); }
+CAIRN_ALWAYS_INLINE cairn_wide cairn_wide_from_int(int32_t x) { return cairn_wide_from_word(cairn_word_from_int(x)); }
 static inline cairn_real cairn_wide_to_real(cairn_wide k) { return cairn_wide_scale(1, k, 16); }
 static inline cairn_share cairn_wide_to_share(cairn_wide k) { return cairn_wide_scale(1, k, 30); }
 static inline cairn_motion cairn_wide_to_motion(cairn_wide k) { return cairn_wide_scale(1, k, 28); }
@@ -457,7 +459,7 @@ static inline cairn_offset cairn_offset_dot(cairn_offset ax, cairn_offset ay, ca
     return cairn_dot32(ax, ux, ay, uy, 30);
 }
 /* ax by - ay bx, exact; each product within 500 m by 500 m. */
-static inline cairn_area cairn_offset_cross(cairn_offset ax, cairn_offset ay, cairn_offset bx, cairn_offset by)
+CAIRN_SHARED cairn_area cairn_offset_cross(cairn_offset ax, cairn_offset ay, cairn_offset bx, cairn_offset by)
 {
     return cairn_times(ax, by) - cairn_times(ay, bx);
 }
@@ -778,7 +780,7 @@ static inline cairn_share cairn_share_mul(cairn_share a, cairn_share b) { return
 typedef int64_t cairn_sum;
 static inline cairn_sum cairn_sum_of(cairn_share a) { return (int64_t)a * ((int64_t)1 << 30); }
 static inline cairn_sum cairn_sum_less(cairn_sum sum, cairn_share a, cairn_share b) { return sum - cairn_times(a, b); }
-static inline cairn_share cairn_sum_share(cairn_sum sum) { return cairn_clamp64((sum + ((int64_t)1 << 29)) >> 30); }
+CAIRN_SHARED cairn_share cairn_sum_share(cairn_sum sum) { return cairn_clamp64((sum + ((int64_t)1 << 29)) >> 30); }
 
 /* How many bits a motion of this size may be lifted (or, negative, has to be lowered) to have 22 of them. */
 static inline int cairn_motion_headroom(cairn_motion most) { return most == 0 ? 0 : cairn_clz((uint32_t)most) - 10; }
@@ -826,7 +828,7 @@ static inline cairn_motion cairn_diffuse(cairn_diffused *d)
 int64_t cairn_mul64(int64_t x, int32_t f, int shift);
 /* x < 2^28 (1 m), which most are: the short way, of the same bits, is open. */
 static inline bool cairn_push_is_short(cairn_push x) { return !CAIRN_SMALL && (uint64_t)(x + ((cairn_push)1 << 28)) < (uint64_t)1 << 29; }
-static inline cairn_push cairn_push_clamp(cairn_push x, cairn_push limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+CAIRN_SHARED cairn_push cairn_push_clamp(cairn_push x, cairn_push limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 static inline cairn_push cairn_push_from_motion(cairn_motion x) { return x; }
 static inline cairn_motion cairn_motion_from_push(cairn_push x) { return cairn_clamp64(x); }
 static inline cairn_push cairn_push_half(cairn_push x) { return x >> 1; }
