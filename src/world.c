@@ -92,8 +92,7 @@ static void begin_with(cairn_world *world, const cairn_solver_class *solver, con
 
 static bool is_gravity_valid(cairn_vec2 gravity)
 {
-    cairn_real limit = CAIRN_F(2000);
-    return gravity.x <= limit && -gravity.x <= limit && gravity.y <= limit && -gravity.y <= limit;
+    return cairn_real_is_within(gravity.x, CAIRN_F(2000)) && cairn_real_is_within(gravity.y, CAIRN_F(2000));
 }
 
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,

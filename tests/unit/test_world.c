@@ -124,6 +124,7 @@ void test_gravity_above_2000_is_refused(void)
     ASSERT_REFUSED(CAIRN_ERROR_RANGE, cairn_world_set_gravity(world, cairn_vec2_of(CAIRN_F(-2000.5), 0)));
     ASSERT_REFUSED(CAIRN_ERROR_RANGE, cairn_world_set_gravity(world, cairn_vec2_of(0, CAIRN_F(2000.5))));
     ASSERT_REFUSED(CAIRN_ERROR_RANGE, cairn_world_set_gravity(world, cairn_vec2_of(0, CAIRN_F(-2000.5))));
+    ASSERT_REFUSED(CAIRN_ERROR_RANGE, cairn_world_set_gravity(world, cairn_vec2_of(0, CAIRN_F(-32768))));
     ASSERT_OK(cairn_world_set_gravity(world, cairn_vec2_of(CAIRN_F(-2000), CAIRN_F(2000))));
 }
 
