@@ -77,7 +77,6 @@ static void begin(cairn_impact *i, const cairn_world *world, cairn_arbiter *arbi
     i->arbiter = arbiter;
     i->body[0] = &world->bodies[arbiter->a];
     i->body[1] = &world->bodies[arbiter->b];
-    i->px = i->py = 0;
     i->adopted = i->changed = false;
     i->lean = 0;
     i->substep = p->substep;
@@ -105,7 +104,7 @@ static bool may_bounce(const cairn_arbiter *arbiter)
     return (arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY);
 }
 
-static inline cairn_size size_with(cairn_size size, const cairn_body *body)
+CAIRN_SHARED cairn_size size_with(cairn_size size, const cairn_body *body)
 {
     return cairn_size_with(cairn_size_with(cairn_size_with(size, body->vx), body->vy), body->w);
 }
@@ -130,10 +129,10 @@ CAIRN_APART bool is_all_calm(const cairn_world *world, cairn_motion calm)
 /* Does one of the two hit another body before that? Then this impact may never be: a ball on the joint of two tiles. */
 CAIRN_APART bool is_forestalled(cairn_world *world, const cairn_impact *i, phase *p)
 {
+    const uint16_t a = i->arbiter->a, b = i->arbiter->b;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        const cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
-        bool shared = b == i->body[1] || b == i->body[0] || (a == i->body[0] && cairn_body_is_dynamic(a)) || a == i->body[1];
+        bool shared = arbiter->b == b || arbiter->b == a || arbiter->a == b || (arbiter->a == a && cairn_body_is_dynamic(i->body[0]));
         if (arbiter != i->arbiter && shared && may_bounce(arbiter)) {
             cairn_impact other;
             begin(&other, world, arbiter, p);

@@ -52,8 +52,10 @@ typedef struct cairn_impact {
     cairn_motion px, py;     /* sum of the impulses on b */
 } cairn_impact;
 
-CAIRN_SHARED cairn_line cairn_line_of_row(const cairn_arbiter *arbiter, const cairn_row *row)
+CAIRN_SHARED cairn_line cairn_impact_line(const cairn_impact *i, int k)
 {
+    const cairn_arbiter *arbiter = i->arbiter;
+    const cairn_row *row = &arbiter->rows[k];
     cairn_line line;
     line.x = arbiter->normal_x;
     line.y = arbiter->normal_y;

@@ -168,7 +168,7 @@ static void adopt(cairn_world *world, cairn_impact *i, const cairn_manifold *con
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
         cairn_motion separation = cairn_motion_from_offset(contact->points[k].separation);
-        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_line line = cairn_impact_line(i, k);
         cairn_motion gap = cairn_motion_add(separation, -opened(&line, &i->course)); /* at the step's start */
         if (gap > 0 || separation >= -CAIRN_IMPACT_DEEP) { /* what lies deeper is pushed out as ever */
             row->gap = gap > 0 ? gap : JUST_APART;
@@ -216,7 +216,7 @@ bool cairn_impact_foresee(cairn_impact *i)
     i->time = CAIRN_UNIT(1.98);
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
-        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_line line = cairn_impact_line(i, k);
         cairn_motion u = cairn_impact_velocity(i, &line);
         row->feature = (uint16_t)((row->feature & ~CAIRN_ROW_IN_FLIGHT) | cairn_flag_if(u > i->rest, CAIRN_ROW_IN_FLIGHT)); /* leaves so fast that it flies */
         if (u >= -i->rest) { /* no impact */
@@ -261,7 +261,7 @@ static int measure(cairn_impact *i, const cairn_manifold *contact)
     int first = -1;
     for (int k = 0; k < arbiter->count; k++) {
         cairn_row *row = &arbiter->rows[k];
-        cairn_line line = cairn_line_of_row(arbiter, row);
+        cairn_line line = cairn_impact_line(i, k);
         cairn_motion start = cairn_motion_add(cairn_motion_from_offset(contact->points[k].separation), -opened(&line, &i->course));
         i->closing[k] = cairn_impact_closing(i, &line);
         if (i->closing[k] == 0) {
@@ -291,7 +291,7 @@ bool cairn_impact_meet(cairn_world *world, cairn_impact *i)
         i->depth = -cairn_motion_from_offset(contact.points[first].separation);
         cairn_unit by = time_of(size_of(i->depth), i->closing[first]);
         cairn_unit time = cairn_motion_above_zero(cairn_motion_add(i->time, i->depth > 0 ? -by : by), CAIRN_UNIT(1.98));
-        if (time == i->time || look_no == LOOKS - 1 || cairn_motion_is_within(i->depth, MET)) {
+        if (time == i->time || look_no == LOOKS - 1 || size_of(i->depth) <= MET) {
             break;
         }
         i->time = time;

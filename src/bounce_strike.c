@@ -103,7 +103,7 @@ static void rub(const cairn_world *world, cairn_impact *i, cairn_motion pressure
     strike(i, impulse, &line);
 }
 
-static cairn_velocity velocity_of(const cairn_body *body)
+CAIRN_ONCE cairn_velocity velocity_of(const cairn_body *body)
 {
     cairn_velocity v;
     v.x = body->vx;
@@ -194,8 +194,8 @@ static void exchange(const cairn_world *world, cairn_impact *i)
     cairn_line line[2];
     cairn_motion impulse[2];
     bool closes = true;
-    line[0] = cairn_line_of_row(i->arbiter, &i->arbiter->rows[0]);
-    line[1] = cairn_line_of_row(i->arbiter, &i->arbiter->rows[CAIRN_LAST_ROW]);
+    line[0] = cairn_impact_line(i, 0);
+    line[1] = cairn_impact_line(i, CAIRN_LAST_ROW);
     for (int n = 0; n < RUBS && closes; n++) {
         resolve(i, line, impulse);
         for (int k = 0; k < i->arbiter->count; k++) {
@@ -237,6 +237,7 @@ void cairn_impact_rebound(cairn_world *world, cairn_impact *i)
     cairn_velocity before[2];
     before[0] = velocity_of(i->body[0]);
     before[1] = velocity_of(i->body[1]);
+    i->px = i->py = 0;
     i->share[0] = i->arbiter->share_a;
     i->share[1] = cairn_arbiter_share_b(i->arbiter);
     i->linear = linear_part(i);
