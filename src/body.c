@@ -2,8 +2,8 @@
 #include "engine.h"
 #include <cairn/spring.h>
 
-#define MASS_MIN cairn_wide_of(1, -24)       /* 6e-8 kg */
-#define MASS_MAX cairn_wide_from_int(1000000000)
+#define MASS_MIN CAIRN_WIDE_SCALED(0.5, -23) /* 6e-8 kg */
+#define MASS_MAX CAIRN_WIDE_SCALED(1000000000.0 / 1073741824, 30)
 
 /* ---- ids ---- */
 
@@ -154,10 +154,11 @@ static bool is_mass_valid(const cairn_body_model *model)
         return !cairn_wide_is_zero(model->density); /* contacts ask for no more */
     }
     cairn_wide kilograms = cairn_wide_mul(cairn_wide_from_word(cairn_shape_area(model->shape)), model->density);
-    return !cairn_wide_less(kilograms, MASS_MIN) && !cairn_wide_less(MASS_MAX, kilograms);
+    const cairn_wide least = MASS_MIN, most = MASS_MAX;
+    return !cairn_wide_less(kilograms, least) && !cairn_wide_less(most, kilograms);
 }
 
-static cairn_status check_model(const cairn_world *world, const cairn_body_model *model)
+CAIRN_ONCE cairn_status check_model(const cairn_world *world, const cairn_body_model *model)
 {
     if (model == NULL || model->shape == NULL || model->shape->kind == NULL || model->material == NULL) {
         return CAIRN_ERROR_NULL;
