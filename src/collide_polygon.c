@@ -5,16 +5,6 @@
  */
 #include "collide_clip.h"
 
-/* And then a in that of b. */
-static inline cairn_relative turned_round(cairn_relative r, const cairn_pose *a, const cairn_pose *b)
-{
-    cairn_offset2 centre = cairn_offset2_turned_back(a->x - b->x, a->y - b->y, b->c, b->s);
-    r.x = centre.x;
-    r.y = centre.y;
-    r.s = -r.s;
-    return r;
-}
-
 /* A face of one polygon and what of the other one lies nearest to it. */
 typedef struct axis {
     cairn_offset separation; /* along the face's normal */
@@ -48,7 +38,7 @@ typedef struct counterpart {
 static inline cairn_offset beyond(const cairn_outline *of, int edge, const cairn_relative *at)
 {
     const cairn_offset2 *vertex = &of->vertex[edge];
-    return cairn_offset_dot(at->x - vertex->x, at->y - vertex->y, of->normal[edge].x, of->normal[edge].y);
+    return cairn_offset_dot(at->centre.x - vertex->x, at->centre.y - vertex->y, of->normal[edge].x, of->normal[edge].y);
 }
 
 /* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */
@@ -57,7 +47,7 @@ static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset cen
     int corner = 0;
     cairn_unit2 n = cairn_unit2_turned(of->normal[edge], from->at->c, -from->at->s);
     cairn_offset separation = centre + support_distance(from->outline, n, &corner), before = best->separation;
-    if (separation <= before) {
+    if (separation < before || (separation == before && edge >= best->edge)) { /* the first of several that are as good */
         return separation;
     }
     best->separation = separation;
@@ -71,7 +61,7 @@ static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset cen
  * Find the face of `of` that separates the two most, if it does more than the best one that is given. Beyond the margin any will do. The result is what any
  * other may separate them by at most.
  */
-static cairn_offset find_face(const cairn_outline *of, const counterpart *from, cairn_offset margin, axis *best)
+static cairn_offset find_face_quickly(const cairn_outline *of, const counterpart *from, cairn_offset margin, axis *best)
 {
     cairn_offset first = -CAIRN_OFFSET_MAX, second = -CAIRN_OFFSET_MAX, inradius = from->outline->inradius;
     int facing = 0;
@@ -99,27 +89,38 @@ static cairn_offset find_face(const cairn_outline *of, const counterpart *from, 
     return cairn_offset_add(first > second ? first : second, -inradius); /* giants' far sides are cut at -512 m */
 }
 
+/* The same. Without quick ways the faces are tried in their order, and nothing is known of the others. */
+static cairn_offset find_face(const cairn_outline *of, const counterpart *from, cairn_offset margin, axis *best)
+{
+    best->edge = 0;
+    if (CAIRN_WITH_QUICK_WAYS) {
+        return find_face_quickly(of, from, margin, best);
+    }
+    for (int i = 0; i < of->count; i++) {
+        cairn_offset centre = beyond(of, i, from->at);
+        if (centre > best->separation + from->outline->inradius) {
+            try_face(of, i, centre, from, best);
+        }
+    }
+    return 0;
+}
+
 /* The edge of the polygon that faces most against a direction of its own frame: one of the two at the corner that is farthest against it. */
 static int incident_edge(const cairn_outline *polygon, int corner, cairn_unit2 n)
 {
     int before = corner > 0 ? corner - 1 : polygon->count - 1;
     cairn_unit one = cairn_unit_dot(polygon->normal[before].x, polygon->normal[before].y, n.x, n.y);
     cairn_unit other = cairn_unit_dot(polygon->normal[corner].x, polygon->normal[corner].y, n.x, n.y);
-    return one < other || (one == other && before < corner) ? before : corner;
+    return one <= other ? before : corner;
 }
 
 static int after(const cairn_outline *polygon, int edge) { return edge + 1 < polygon->count ? edge + 1 : 0; }
 
-/* A corner of the incident edge in the frame of the reference edge. */
-static cairn_edge_point edge_point_of(cairn_offset2 corner, const cairn_relative *at, cairn_offset2 from, cairn_unit2 n)
+/* A vector as an edge sees it that has this normal. */
+CAIRN_ONCE void see_by_edge(const cairn_offset2 *v, const cairn_unit2 *n, cairn_edge_point *out)
 {
-    cairn_edge_point point;
-    cairn_offset2 r = cairn_offset2_turned(corner, at->c, at->s);
-    r.x += at->x - from.x;
-    r.y += at->y - from.y;
-    point.along = cairn_offset_dot(r.x, r.y, -n.y, n.x);
-    point.separation = cairn_offset_dot(r.x, r.y, n.x, n.y);
-    return point;
+    out->along = cairn_offset_dot(v->x, v->y, -n->y, n->x);
+    out->separation = cairn_offset_dot(v->x, v->y, n->x, n->y);
 }
 
 /* What separates the two most. */
@@ -128,16 +129,16 @@ typedef struct reference {
     cairn_relative at; /* the other one in the frame of the polygon whose face it is */
 } reference;
 
-/* Of two that are not both boxes. False if they are farther apart than the margin. */
+/* False if they are farther apart than the margin. */
 CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_offset margin, reference *out, cairn_offset *steady)
 {
-    cairn_room room; /* for the box, if one of them is */
+    cairn_room room[1 + CAIRN_BOXES_ARE_POLYGONS]; /* for what is a box */
     cairn_outline of_a, of_b;
     counterpart from;
-    cairn_shape_outline(a->shape, room.corner, &of_a);
-    cairn_shape_outline(b->shape, room.corner, &of_b);
+    cairn_shape_outline(a->shape, room[0].corner, &of_a);
+    cairn_shape_outline(b->shape, room[CAIRN_BOXES_ARE_POLYGONS].corner, &of_b);
     out->at = cairn_pose_seen_from(a, b);
-    out->face.separation = -CAIRN_OFFSET_MAX;
+    out->face.separation = -CAIRN_OFFSET(256); /* less than any two overlap by, and so much more than -512 m that no sum wraps */
     out->face.of_b = false;
     from.outline = &of_b;
     from.at = &out->at;
@@ -146,7 +147,8 @@ CAIRN_APART bool find_reference(const cairn_pose *a, const cairn_pose *b, cairn_
         return false;
     }
     axis face;
-    cairn_relative at = turned_round(out->at, a, b);
+    cairn_relative at;
+    cairn_relative_turn_round(&out->at, a, b, &at);
     face.separation = out->face.separation;
     from.outline = &of_a;
     from.at = &at;
@@ -171,31 +173,29 @@ CAIRN_APART void clip(const cairn_pose *a, const cairn_pose *b, const reference 
     cairn_outline outline;
     cairn_room room;
     cairn_shape_outline(own->shape, room.corner, &outline);
-    int edge = by->face.edge;
-    cairn_offset2 from = outline.vertex[edge], to = outline.vertex[after(&outline, edge)];
-    cairn_unit2 n = outline.normal[edge];
-    cairn_offset length = cairn_offset_dot(to.x - from.x, to.y - from.y, -n.y, n.x);
+    const cairn_unit2 *n = &outline.normal[by->face.edge];
+    cairn_clip_edge edge;
+    cairn_edge_point point, ends[2];
+    see_by_edge(&outline.vertex[by->face.edge], n, &point);
+    edge.height = point.separation;
+    edge.low = point.along;
+    see_by_edge(&outline.vertex[after(&outline, by->face.edge)], n, &point);
+    edge.high = point.along;
+    see_by_edge(&by->at.centre, n, &point);
+    edge.n = cairn_unit2_turned(*n, own->c, own->s);
+    edge.centre.x = own->x - a->x;
+    edge.centre.y = own->y - a->y;
+    edge.edge = by->face.edge;
+    edge.swapped = by->face.of_b;
 
     cairn_shape_outline(against->shape, room.corner, &outline);
-    int facing = incident_edge(&outline, by->face.corner, by->face.normal);
-    cairn_edge_point ends[2];
-    ends[0] = edge_point_of(outline.vertex[facing], &by->at, from, n);
-    ends[1] = edge_point_of(outline.vertex[after(&outline, facing)], &by->at, from, n);
-
-    /* In the world's directions. */
-    n = cairn_unit2_turned(n, own->c, own->s);
-    from = cairn_offset2_turned(from, own->c, own->s);
-    cairn_clip_edge in_world;
-    in_world.origin_x = from.x + own->x - a->x;
-    in_world.origin_y = from.y + own->y - a->y;
-    in_world.height = in_world.low = 0;
-    in_world.high = length;
-    in_world.x = n.x;
-    in_world.y = n.y;
-    in_world.edge = edge;
-    in_world.incident = facing;
-    in_world.swapped = by->face.of_b;
-    cairn_clip(&in_world, ends, margin, out);
+    edge.incident = incident_edge(&outline, by->face.corner, by->face.normal);
+    for (int i = 0, corner = edge.incident; i < 2; i++, corner = after(&outline, corner)) {
+        see_by_edge(&outline.vertex[corner], &by->face.normal, &ends[i]);
+        ends[i].along += point.along;
+        ends[i].separation += point.separation;
+    }
+    cairn_clip(&edge, ends, margin, out);
 }
 
 /* In two steps that do not lie on the stack together: a box's corners are there. */

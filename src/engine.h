@@ -243,6 +243,10 @@ static inline cairn_motion cairn_arbiter_pressure(const cairn_arbiter *arbiter)
 {
     return arbiter->rows[0].impulse + (cairn_arbiter_has_two(arbiter) ? arbiter->rows[CAIRN_LAST_ROW].impulse : 0);
 }
+/* Do boxes collide as any polygon does? It takes longer, but no code of their own; the bits are the same. */
+#ifndef CAIRN_BOXES_ARE_POLYGONS
+#define CAIRN_BOXES_ARE_POLYGONS (CAIRN_SMALL && CAIRN_WITH_POLYGONS)
+#endif
 /* A function in a table, of contacts of two points: null in builds that know one point only. */
 #define CAIRN_OF_TWO(function) (CAIRN_MAX_POINTS > 1 ? (function) : NULL)
 /* The same at the end of a table that is shorter then. */
