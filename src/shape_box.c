@@ -23,5 +23,7 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, CAIRN_HAS_EXTENTS ? extents : NULL, { cairn_collide_circle_box CAIRN_AND_OF_TWO(cairn_collide_boxes) }
+    1, check, CAIRN_HAS_EXTENTS ? extents : NULL,
+    { CAIRN_BOXES_ARE_POLYGONS ? cairn_collide_circle_polygon : cairn_collide_circle_box
+      CAIRN_AND_OF_TWO(CAIRN_BOXES_ARE_POLYGONS ? cairn_collide_polygons : cairn_collide_boxes) }
 };

@@ -87,7 +87,8 @@ CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "ho
               "motion", "rows", "shape_measure", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick",
               "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
-BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",)}  # files that a feature shares with another one
+# Files that a feature shares with another one; at -Os boxes collide as any polygon does.
+BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",), "WALLS": ("collide_circle_polygon", "collide_polygon")}
 # The smallest of what these games can be told to take: whatever config.h can leave out.
 LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
     "SPRINGS", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING",
