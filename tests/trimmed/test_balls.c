@@ -168,3 +168,20 @@ void test_contacts_say_where_whichever_body_came_first(void)
         ASSERT_NEAR(0.001, 0, cairn_real_sub(contact.points[0].position.y, cairn_real_half(cairn_real_from_int(middle[i].y))));
     }
 }
+
+CAIRN_WORLD(few, 3, 1);
+
+/* Pairs are looked at before anybody asks whether they have an arbiter: what has one must find it in a full pool, too. */
+void test_a_full_pool_keeps_the_contact_that_is_there(void)
+{
+    cairn_world *full = cairn_world_init_with(&few, at(0, CAIRN_F(-10)), &cairn_solver_soft, NULL);
+    cairn_body_create(full, &ground, at(0, CAIRN_F(-0.5)), 0);
+    cairn_body_id kept = cairn_body_create(full, &model, at(CAIRN_F(-2), CAIRN_F(0.5)), 0), lost = cairn_body_create(full, &model, at(CAIRN_F(2), CAIRN_F(0.5)), 0);
+    for (int step = 0; step < 10; step++) {
+        ASSERT_OK(cairn_world_step(full));
+        TEST_ASSERT_EQUAL_UINT32(1, cairn_world_get_stats(full)->arbiters);
+        TEST_ASSERT_EQUAL_UINT32((uint32_t)step + 1, cairn_world_get_stats(full)->dropped);
+    }
+    ASSERT_NEAR(0.001, 0.5, cairn_body_position(full, kept).y);
+    TEST_ASSERT_TRUE(cairn_body_position(full, lost).y < CAIRN_F(0.45));
+}
