@@ -216,10 +216,13 @@ void cairn_angle_rotation(cairn_angle angle, cairn_unit *cosine, cairn_unit *sin
     c = cairn_mul32(COSINE_4 + c, w, 30);
     c = CAIRN_UNIT(1) + cairn_mul32(COSINE_2 + c, w, 32); /* Q32 Q30 -> Q30 */
 
-    *cosine = (quadrant & 1) ? s : c;
-    *sine = (quadrant & 1) ? c : s;
-    if (quadrant == 1 || quadrant == 2) { *cosine = -*cosine; }
-    if (quadrant >= 2) { *sine = -*sine; }
+    if (quadrant & 1) { /* a quarter turn on */
+        int32_t t = c;
+        c = -s;
+        s = t;
+    }
+    *cosine = quadrant & 2 ? -c : c;
+    *sine = quadrant & 2 ? -s : s;
 }
 
 /* atan(t) in binary angle; t = a / b in [0, tan(pi/8)], b at least 1. */
@@ -295,15 +298,17 @@ cairn_wide_word cairn_word_of(int32_t x, int places)
     return word_from_64(magnitude(x), -places);
 }
 
-cairn_wide_word cairn_word_from_area(cairn_area a)
+/* |x| / 2^places */
+CAIRN_SHARED cairn_wide_word word_from_signed(int64_t x, int places)
 {
-    return word_from_64(a < 0 ? 0u - (uint64_t)a : (uint64_t)a, -44);
+    return word_from_64(x < 0 ? 0u - (uint64_t)x : (uint64_t)x, -places);
 }
+
+cairn_wide_word cairn_word_from_area(cairn_area a) { return word_from_signed(a, 44); }
 
 cairn_wide_word cairn_word_from_sum(cairn_offset a, cairn_offset b)
 {
-    int64_t sum = (int64_t)a + b;
-    return word_from_64(sum < 0 ? 0u - (uint64_t)sum : (uint64_t)sum, -22);
+    return word_from_signed((int64_t)a + b, 22);
 }
 
 cairn_wide_word cairn_word_mul(cairn_wide_word a, cairn_wide_word b)
@@ -335,18 +340,19 @@ bool cairn_wide_less(cairn_wide a, cairn_wide b)
 
 cairn_wide_word cairn_word_add(cairn_wide_word a, cairn_wide_word b)
 {
-    bool less = cairn_wide_less(cairn_wide_from_word(a), cairn_wide_from_word(b));
+    if ((uint32_t)a == 0) { return b; }
+    if ((uint32_t)b == 0) { return a; }
+    bool less = exponent_of(a) < exponent_of(b);
     cairn_wide_word large = less ? b : a, small = less ? a : b;
     int32_t apart = exponent_of(large) - exponent_of(small);
 
-    if ((uint32_t)small == 0 || apart > 33) { return large; }
+    if (apart > 33) { return large; }
     return word_from_64(((uint64_t)(uint32_t)large << 31) + (((uint64_t)(uint32_t)small << 31) >> apart), exponent_of(large) - 31);
 }
 
 cairn_wide_word cairn_word_determinant(cairn_share a, cairn_share b, cairn_share c, cairn_share d)
 {
-    int64_t value = cairn_times(a, d) - cairn_times(b, c);
-    return word_from_64(value < 0 ? (uint64_t)-value : (uint64_t)value, -60);
+    return word_from_signed(cairn_times(a, d) - cairn_times(b, c), 60);
 }
 
 cairn_wide_word cairn_word_sqrt(cairn_wide_word a)
@@ -579,7 +585,7 @@ cairn_motion cairn_motion_divide(cairn_motion x, cairn_factor f)
 int64_t cairn_mul64(int64_t x, int32_t f, int shift)
 {
     int64_t high = cairn_times((int32_t)(x >> 31), f), low = cairn_times((int32_t)((uint32_t)x & 0x7FFFFFFFu), f);
-    low += (int64_t)1 << (shift - 1);
+    low += (uint32_t)1 << (shift - 1);
     return (int64_t)((uint64_t)high << (31 - shift)) + (low >> shift);
 }
 
@@ -606,16 +612,16 @@ cairn_push cairn_push_scale(cairn_push x, cairn_wide k)
     uint64_t low = cairn_product((uint32_t)size, k.mantissa);
     uint64_t top = cairn_product(high_word(size), k.mantissa) + high_word(low); /* with the lower half of low: 96 bits */
     int shift = -k.exponent;
-    if (shift >= 96) { return 0; }
-    if (shift >= 32) {
-        size = shift == 32 ? top + ((uint32_t)low >> 31) : shift - 32 < 64 ? ((top >> (shift - 33)) + 1) >> 1 : 0;
-        size = size > (uint64_t)CAIRN_PUSH_MAX ? (uint64_t)CAIRN_PUSH_MAX : size;
+    if (shift > 32) {
+        size = shifted(top, shift - 32);
+    } else if (shift == 32) {
+        size = top + ((uint32_t)low >> 31);
     } else if (shift <= 0 || top >> (15 + shift) != 0) {
         size = (uint64_t)CAIRN_PUSH_MAX;
     } else {
         size = (top << (32 - shift)) + ((((uint32_t)low >> (shift - 1)) + 1) >> 1);
     }
-    return x < 0 ? -(int64_t)size : (int64_t)size;
+    return cairn_push_clamp(x < 0 ? -(int64_t)size : (int64_t)size, CAIRN_PUSH_MAX);
 }
 
 cairn_push cairn_push_shift(cairn_push x, int n)

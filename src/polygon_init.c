@@ -312,7 +312,8 @@ static void drop_flat(corner_list *hull)
         }
         hull->count--;
         for (int j = i; j < hull->count; j++) {
-            hull->at[j] = hull->at[j + 1];
+            hull->at[j].x = hull->at[j + 1].x; /* one by one, or gcc makes a memmove of it */
+            hull->at[j].y = hull->at[j + 1].y;
         }
         i = 0; /* its neighbours have new neighbours */
     }

@@ -699,10 +699,9 @@ static inline cairn_motion cairn_quiet_less_fine_along(cairn_motion sum, cairn_f
 /* The share with what was cut off before added, and what is cut off now kept. */
 static inline cairn_motion cairn_motion_share_carried(cairn_motion a, cairn_share s, cairn_carry *carry)
 {
-    int64_t exact = cairn_times(a, s) + (int64_t)*carry * 32768;
-    cairn_motion whole = (cairn_motion)((exact + 536870912) >> 30);
-    *carry = (cairn_carry)((exact - (int64_t)whole * 1073741824) >> 15);
-    return whole;
+    int64_t exact = cairn_times(a, s) + (int64_t)*carry * 32768 + 536870912; /* and a half, for the rounding, which is not carried */
+    *carry = (cairn_carry)(((int32_t)((uint32_t)exact & 0x3FFFFFFFu) - 536870912) >> 15);
+    return (cairn_motion)(exact >> 30);
 }
 /* The same where |a| is at most 2^20 units and r at most 1/8: one product. */
 static inline cairn_motion cairn_motion_ratio_short(cairn_motion a, cairn_ratio r) { return (a * r + 8192) >> 14; }
