@@ -47,7 +47,7 @@ static void weigh(cairn_block *block)
 }
 
 /* From an arbiter's own unit of impulses to the block's. */
-static cairn_wide unit_of(const cairn_block *block, const cairn_block_arbiter *arbiter)
+CAIRN_ALWAYS_INLINE cairn_wide unit_of(const cairn_block *block, const cairn_block_arbiter *arbiter)
 {
     return cairn_wide_add(block->bodies[arbiter->a].inverse, block->bodies[arbiter->b].inverse);
 }

@@ -142,7 +142,7 @@ static void look_beyond(const cairn_pose *a, cairn_pose *b, cairn_offset x, cair
         closing = -cairn_offset_dot(x, y, then.normal_x, then.normal_y);
         if (closing < opposed - opposed / 4) {
             cairn_unit later = cairn_offset_mul(span, time), met = out->time;
-            *out = then;
+            cairn_copy(out, &then, sizeof then);
             out->time = met < CAIRN_UNIT(1.9) - later ? met + later : CAIRN_UNIT(1.9);
         }
     }
@@ -168,7 +168,7 @@ CAIRN_APART outcome find_meeting(const course *a, const course *b, cairn_manifol
         bool touches = now.separation <= HIT && now.count > 0, was_near = near;
         near = now.separation <= NEAR && now.count > 0;
         if (near && !(touches && was_near)) {
-            *out = now;
+            cairn_copy(out, &now, sizeof now);
         }
         if (touches) {
             return OUTCOME_TOUCH;

@@ -319,6 +319,20 @@ CAIRN_SHARED void cairn_clear(void *memory, size_t size)
     }
 }
 
+/* What is larger than some words: else gcc calls a memcpy of 142 bytes. */
+CAIRN_SHARED void cairn_copy(void *to, const void *from, size_t size)
+{
+    volatile unsigned char *byte = to;
+    const unsigned char *source = from;
+    if (!CAIRN_SMALL) {
+        memcpy(to, from, size);
+        return;
+    }
+    while (size-- != 0) {
+        byte[size] = source[size];
+    }
+}
+
 static inline cairn_status cairn_fail(cairn_world *world, cairn_status status)
 {
     world->error = (int8_t)status;

@@ -72,7 +72,7 @@ static void oscillator(cairn_wide w, cairn_wide d, cairn_share *sum)
     }
     for (int i = 0; i < halvings; i++) {
         cairn_share square[ELEMENTS];
-        memcpy(square, sum, sizeof square);
+        cairn_copy(square, sum, sizeof square);
         multiply(square, sum);
         for (int n = 0; n < ELEMENTS; n++) {
             sum[n] += sum[n] + square[n]; /* added first: twice what is -1 and a little more would wrap */

@@ -97,7 +97,8 @@ static bool make_gains(cairn_spring *spring)
 {
     cairn_factor take = cairn_factor_mul(spring->before, spring->inverse_pivot);
     bool mild = spring->inverse_pivot <= CAIRN_FACTOR(1.9999) && take <= CAIRN_FACTOR(1) && -take <= CAIRN_FACTOR(1);
-    spring->pull = spring->drag = cairn_gain_zero();
+    spring->pull = cairn_gain_zero();
+    spring->drag = cairn_gain_zero();
     if (mild) {
         spring->pull = cairn_gain_times_half(cairn_gain_from_wide(spring->position_gain), spring->inverse_pivot);
         spring->drag = cairn_gain_times_half(cairn_gain_from_share(spring->velocity_gain), spring->inverse_pivot);
