@@ -378,6 +378,9 @@ void cairn_body_move(cairn_world *world, cairn_body *body);
 /* The end of the step: all that have not moved yet. */
 void cairn_bodies_finish(cairn_world *world);
 
+/* Does what nothing touches coast? Where ways may be cut it does so in any build, for the bits: its own is cut after it was straightened. */
+#define CAIRN_COASTS (CAIRN_WITH_SHORTCUTS || CAIRN_WITH_CONTINUOUS)
+
 /*
  * During the sub-steps the first of several bodies one after the other that do not take part in them keeps in ux the place behind the last
  * of them, and walks over all bodies skip them at once. What a contact or a spring holds keeps none, since these add to ux.

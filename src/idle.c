@@ -28,7 +28,7 @@ static inline bool is_free(const cairn_body *body) { return body->ux == 0 && bod
 static bool is_plain(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *a, const cairn_body *b)
 {
     return (a->flags & b->flags & CAIRN_BODY_PLAIN) && !((a->flags | b->flags) & (CAIRN_BODY_MET | CAIRN_BODY_SPRING | CAIRN_BODY_FAST))
-        && cairn_world_bounce(world) == NULL && arbiter->block == 0 && !cairn_arbiter_is_sliding(arbiter) && is_free(a) && is_free(b);
+        && cairn_world_bounce(world) == NULL && cairn_world_fast(world) == 0 && arbiter->block == 0 && !cairn_arbiter_is_sliding(arbiter) && is_free(a) && is_free(b);
 }
 
 bool cairn_arbiter_idle(cairn_world *world, cairn_arbiter *arbiter, unsigned fresh)

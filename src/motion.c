@@ -391,7 +391,7 @@ void cairn_bodies_finish(cairn_world *world)
             finish(world, body);
         } else if (CAIRN_WITH_SHORTCUTS && world->coasted) {
             next = cairn_body_skip(world, body);
-        } else if (CAIRN_WITH_SHORTCUTS && cairn_body_is_active(body)) { /* else all that moves goes */
+        } else if (CAIRN_COASTS && cairn_body_is_active(body)) { /* else all that moves goes */
             cairn_body_move(world, body);
         }
         body->ux = 0;

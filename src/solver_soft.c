@@ -125,7 +125,7 @@ static fall fall_of(const cairn_world *world)
     cairn_motion limit = cairn_world_most_speed(world);
     fall f;
     f.vx = f.vy = f.dx = f.dy = 0;
-    f.is_slow = CAIRN_WITH_SHORTCUTS && cairn_motion_is_within(gx.whole, limit) && cairn_motion_is_within(gy.whole, limit)
+    f.is_slow = CAIRN_COASTS && cairn_motion_is_within(gx.whole, limit) && cairn_motion_is_within(gy.whole, limit)
              && cairn_motion_is_within(gx.whole * cairn_world_substeps(world), limit) && cairn_motion_is_within(gy.whole * cairn_world_substeps(world), limit);
     for (int k = 0; f.is_slow && k < cairn_world_substeps(world); k++) {
         f.vx += cairn_diffuse(&gx);
@@ -144,7 +144,7 @@ static fall fall_of(const cairn_world *world)
 static bool coast(const cairn_world *world, cairn_body *body, const fall *f)
 {
     cairn_motion vx = body->vx + f->vx, vy = body->vy + f->vy;
-    if (!CAIRN_WITH_SHORTCUTS || !f->is_slow || !(body->flags & CAIRN_BODY_PLAIN) || body->ux != 0 || body->uy != 0 || body->uw != 0
+    if (!CAIRN_COASTS || !f->is_slow || !(body->flags & CAIRN_BODY_PLAIN) || body->ux != 0 || body->uy != 0 || body->uw != 0
         || !cairn_motion_is_within(vx, cairn_world_most_speed(world)) || !cairn_motion_is_within(vy, cairn_world_most_speed(world))) {
         return false;
     }
