@@ -43,6 +43,7 @@ set(CAIRN_SOURCES
     src/spring.c
     src/spring_map.c
     src/spring_mesh.c
+    src/spring_mesh_make.c
     src/spring_ends.c
     src/spring_network.c
     src/spring_path.c

@@ -44,7 +44,8 @@ POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"springs\(world\)->kind->substep\(", ("cairn_springs_substep",)),
     *((rf"springs\(world\)->kind->{name}\(", (f"spring:{name}",))
       for name in ("joined", "remove_body", "link", "wake")),
-    *((rf"mesh->kind->{name}\(", (f"spring_mesh:{name}",)) for name in ("make", "solve")),
+    (r"mesh->kind->make\(", ("cairn_meshes_make",)),
+    (r"mesh->kind->solve\(", ("spring_mesh:solve",)),
     (r"\bvisit\(world, spring->a", ("sleep:join",)),
     (r"\btest\(asked, &about", ("query:holds_point", "query:meets_box")),
     (r"\bkeep\(world, ", ("arbiter:is_current", "arbiter:is_of_others")),

@@ -75,7 +75,7 @@ FEATURES = {
     "QUERIES": Feature("queries", ("query",)),
     "DRAWING": Feature("debug drawing", ("debug_draw",)),
     "HASH": Feature("the hash", ("hash",)),
-    "MESHES": Feature("springs with meshes", ("spring_mesh",)),
+    "MESHES": Feature("springs with meshes", ("spring_mesh", "spring_mesh_make")),
     "SLIDES": Feature("the slides' solver instead", ("solver_slides",)),
     # Of the games that all others build on:
     "BALLS": Feature("balls", ("shape_circle",)),
