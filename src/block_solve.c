@@ -91,9 +91,11 @@ void cairn_block_evaluate(cairn_block *block)
     block->current = true;
     for (int i = 0; i < block->body_count; i++) {
         cairn_block_body *body = &block->bodies[i];
-        bool moves = !cairn_body_is_fixed(body->body);
-        body->vx = cairn_push_from_motion(body->body->vx) + (moves ? cairn_push_scale(body->px, body->inverse) : 0);
-        body->vy = cairn_push_from_motion(body->body->vy) + (moves ? cairn_push_scale(body->py, body->inverse) : 0);
+        if (cairn_body_is_fixed(body->body)) {
+            body->px = body->py = 0;
+        }
+        body->vx = cairn_push_from_motion(body->body->vx) + cairn_push_scale(body->px, body->inverse);
+        body->vy = cairn_push_from_motion(body->body->vy) + cairn_push_scale(body->py, body->inverse);
         body->vw = cairn_push_from_motion(body->body->w) + cairn_push_scale(body->pw, body->inverse);
     }
     for (int i = 0; i < block->row_count; i++) {

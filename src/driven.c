@@ -9,8 +9,6 @@
 /* And faster than this, which a pile that settles does not reach, its rows are made anew. */
 #define DRIVEN_HARD CAIRN_MOTION(0.0004)
 
-static bool is_driven(cairn_motion v) { return v > DRIVEN || -v > DRIVEN; }
-
 static void give_way(cairn_body *body, cairn_share share, cairn_motion closing, const cairn_arbiter *arbiter)
 {
     if (cairn_body_is_dynamic(body) && !cairn_body_is_fixed(body)) {
@@ -42,7 +40,7 @@ static void hold_back(cairn_world *world, cairn_arbiter *arbiter)
 {
     cairn_body *a = &world->bodies[arbiter->a], *b = &world->bodies[arbiter->b];
     cairn_motion x = b->vx - a->vx, y = b->vy - a->vy;
-    if (is_driven(x) || is_driven(y)) {
+    if (!cairn_motion_is_within(x, DRIVEN) || !cairn_motion_is_within(y, DRIVEN)) {
         cairn_motion closing = -cairn_motion_along(x + cairn_body_held_x(b) - cairn_body_held_x(a),
                                                     y + cairn_body_held_y(b) - cairn_body_held_y(a), arbiter->normal_x, arbiter->normal_y);
         if (closing > DRIVEN && !opens(a, b, arbiter, -closing)) {

@@ -25,14 +25,14 @@ static void forget(cairn_body *body, const cairn_arbiter *arbiter, cairn_share s
 static bool repeats_too_fast(const cairn_world *world, const cairn_body *body)
 {
     cairn_motion x = 2 * body->vx - body->ux, y = 2 * body->vy - body->uy, w = 2 * body->w - body->uw, limit = cairn_world_most_speed(world);
-    return x != cairn_motion_clamp(x, limit) || y != cairn_motion_clamp(y, limit) || w != cairn_motion_clamp(w, cairn_world_most_speed(world));
+    return !cairn_motion_is_within(x, limit) || !cairn_motion_is_within(y, limit) || !cairn_motion_is_within(w, limit);
 }
 
 /* Whether an impulse of this size, with its friction and by levers of up to 2.83, cannot lead beyond it. */
 static bool has_room_for(const cairn_world *world, const cairn_body *body, cairn_motion impulse)
 {
     cairn_motion twice = cairn_motion_add(impulse, impulse), room = cairn_world_most_speed(world) - cairn_motion_add(twice, twice);
-    return room > 0 && body->vx <= room && -body->vx <= room && body->vy <= room && -body->vy <= room && body->w <= room && -body->w <= room;
+    return room > 0 && cairn_motion_is_within(body->vx, room) && cairn_motion_is_within(body->vy, room) && cairn_motion_is_within(body->w, room);
 }
 
 static void drop(cairn_arbiter *arbiter)

@@ -25,11 +25,12 @@ CAIRN_ONCE cairn_area turn(const cairn_offset2 *a, const cairn_offset2 *b, const
 }
 
 /* x^2 + y^2 */
-CAIRN_ONCE cairn_wide square_of(cairn_offset x, cairn_offset y)
+CAIRN_ONCE cairn_wide_word square_word(cairn_offset x, cairn_offset y)
 {
     cairn_wide wide_x = cairn_wide_from_offset(x), wide_y = cairn_wide_from_offset(y);
-    return cairn_wide_add(cairn_wide_mul(wide_x, wide_x), cairn_wide_mul(wide_y, wide_y));
+    return cairn_wide_to_word(cairn_wide_add(cairn_wide_mul(wide_x, wide_x), cairn_wide_mul(wide_y, wide_y)));
 }
+CAIRN_ALWAYS_INLINE cairn_wide square_of(cairn_offset x, cairn_offset y) { return cairn_wide_from_word(square_word(x, y)); }
 
 /* Does a triangle with twice this area rise less above its side from a to b? */
 CAIRN_ONCE bool is_lower(cairn_area area, const cairn_offset2 *a, const cairn_offset2 *b, cairn_offset height)

@@ -322,8 +322,8 @@ static cairn_status check(const cairn_world *world, const cairn_quadtree_storage
     if (world->locked) {
         return CAIRN_ERROR_LOCKED;
     }
-    if (size_log2 < 0 || size_log2 > 14 || depth < 1 || depth > CAIRN_QUADTREE_DEPTH || center.x > CAIRN_WORLD_EDGE
-        || -center.x > CAIRN_WORLD_EDGE || center.y > CAIRN_WORLD_EDGE || -center.y > CAIRN_WORLD_EDGE) {
+    if (size_log2 < 0 || size_log2 > 14 || depth < 1 || depth > CAIRN_QUADTREE_DEPTH || !cairn_real_is_within(center.x, CAIRN_WORLD_EDGE)
+        || !cairn_real_is_within(center.y, CAIRN_WORLD_EDGE)) {
         return CAIRN_ERROR_RANGE;
     }
     bool fits = storage->cell_capacity != 0 && storage->box_capacity >= world->body_capacity && storage->entry_capacity >= world->body_capacity;

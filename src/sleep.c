@@ -91,8 +91,6 @@ static void join(cairn_world *world, uint16_t a, uint16_t b)
     }
 }
 
-static bool is_within(cairn_motion v, cairn_motion limit) { return v <= limit && -v <= limit; }
-
 /* A body's count of steps has 8 bits: at rates beyond 510 a second only every second, or fourth, step adds to it. */
 static unsigned counted_in(const cairn_world *world) { return cairn_world_rate(world) <= CAIRN_F(510) ? 0 : cairn_world_rate(world) <= CAIRN_F(1020) ? 1 : 2; }
 
@@ -100,7 +98,7 @@ static void count_rest(cairn_world *world, cairn_body *body)
 {
     unsigned counts = (world->stats.steps & ((1u << counted_in(world)) - 1)) == 0 && body->rest < 255;
     cairn_motion limit = cairn_motion_from_real(REST_SPEED, cairn_world_substep(world));
-    bool slow = is_within(body->vx, limit) && is_within(body->vy, limit) && is_within(body->w, limit);
+    bool slow = cairn_motion_is_within(body->vx, limit) && cairn_motion_is_within(body->vy, limit) && cairn_motion_is_within(body->w, limit);
     body->rest = (slow ? body->rest + counts : 0) & 255u;
 }
 

@@ -17,7 +17,7 @@ bool cairn_arbiter_may_slide(const cairn_body *a, const cairn_body *b)
 static bool is_within_half(const cairn_body *body, cairn_motion way)
 {
     cairn_motion half = cairn_motion_half(cairn_motion_from_offset(cairn_offset_from_real(cairn_shape_inradius(body->model->shape))));
-    return way <= half && -way <= half;
+    return cairn_motion_is_within(way, half);
 }
 
 /* What lies deeper than 5 mm is pushed out so far that levers which follow it would add energy. */
@@ -30,7 +30,7 @@ static bool is_shallow(const cairn_arbiter *arbiter)
 bool cairn_arbiter_slips_fast(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
     cairn_motion across = cairn_motion_along(b->vy - a->vy, a->vx - b->vx, arbiter->normal_x, arbiter->normal_y);
-    return (across > CAIRN_SLIDES || -across > CAIRN_SLIDES) && cairn_arbiter_may_slide(a, b) && is_within_half(a, across) && is_within_half(b, across)
+    return !cairn_motion_is_within(across, CAIRN_SLIDES) && cairn_arbiter_may_slide(a, b) && is_within_half(a, across) && is_within_half(b, across)
         && is_shallow(arbiter);
 }
 

@@ -178,6 +178,11 @@ static cairn_spring *take_place(cairn_spring_pool *pool)
     return &pool->springs[place];
 }
 
+static bool is_anchor_near(cairn_vec2 anchor)
+{
+    return cairn_real_is_within(anchor.x, CAIRN_SHAPE_RADIUS_MAX) && cairn_real_is_within(anchor.y, CAIRN_SHAPE_RADIUS_MAX);
+}
+
 static cairn_status check(cairn_world *world, const cairn_spring_def *def)
 {
     if (def == NULL) {
@@ -192,10 +197,8 @@ static cairn_status check(cairn_world *world, const cairn_spring_def *def)
     if (cairn_body_find(world, def->a) == NULL || cairn_body_find(world, def->b) == NULL) {
         return CAIRN_ERROR_STALE;
     }
-    cairn_real far = CAIRN_SHAPE_RADIUS_MAX;
     if (cairn_body_id_equal(def->a, def->b) || def->rest_length > REST_LENGTH_MAX || !is_amount_valid(def->stiffness)
-        || !is_amount_valid(def->damping) || def->anchor_a.x > far || def->anchor_a.x < -far || def->anchor_a.y > far
-        || def->anchor_a.y < -far || def->anchor_b.x > far || def->anchor_b.x < -far || def->anchor_b.y > far || def->anchor_b.y < -far) {
+        || !is_amount_valid(def->damping) || !is_anchor_near(def->anchor_a) || !is_anchor_near(def->anchor_b)) {
         return CAIRN_ERROR_RANGE;
     }
     return CAIRN_OK;

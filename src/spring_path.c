@@ -79,7 +79,7 @@ static uint16_t continuation(cairn_world *world, const cairn_spring *spring, boo
 }
 
 /* On from the end of a spring, or back from its start, as far as it goes: the last one. */
-static uint16_t follow(cairn_world *world, uint16_t spring, bool at_end)
+CAIRN_ALWAYS_INLINE uint16_t follow(cairn_world *world, uint16_t spring, bool at_end)
 {
     cairn_spring *springs = world->springs->springs;
     uint16_t next;

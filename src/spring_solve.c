@@ -128,7 +128,7 @@ CAIRN_ONCE cairn_motion along(const cairn_reach *r, cairn_motion x, cairn_motion
 }
 
 /* The relative acceleration by gravity alone, along the spring. */
-CAIRN_ONCE cairn_motion gravity_along(const cairn_world *world, const cairn_spring *spring, const cairn_reach *r)
+static cairn_motion gravity_along(const cairn_world *world, const cairn_spring *spring, const cairn_reach *r)
 {
     const cairn_body *a = &world->bodies[spring->a], *b = &world->bodies[spring->b];
     cairn_motion g = along(r, world->gravity_x.whole, world->gravity_y.whole);
