@@ -48,7 +48,7 @@ uint8_t cairn_arbiter_path_of(const cairn_world *world, const cairn_arbiter *arb
  * order of bodies alone nearly every contact of a mixed heap takes another way than the one before, and calls took 8 % of its
  * step. The ways' own order is the one after which heaps come to rest soonest, see DESIGN.md.
  */
-static void arrange(cairn_world *world)
+CAIRN_ONCE void arrange(cairn_world *world)
 {
     const uint16_t *const end = world->order + world->arbiter_count;
     const cairn_arbiter *const arbiters = world->arbiters;
