@@ -34,29 +34,26 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
             edge = i;
         }
     }
-    cairn_offset steady = 0;
+    cairn_offset steady = 0, distance = most;
+    cairn_unit2 n;
+    int feature = edge;
+    n.x = -polygon.normal[edge].x;
+    n.y = -polygon.normal[edge].y;
     if (most > 0) {
         /* Outside: beyond one of the ends of the face it is the corner that is nearest. */
-        int next = edge + 1 < polygon.count ? edge + 1 : 0, corner = -1;
+        int next = edge + 1 < polygon.count ? edge + 1 : 0;
         cairn_offset start = beyond(&polygon, edge, edge, centre), end = start < 0 ? 0 : -beyond(&polygon, next, edge, centre);
-        if (start < 0) {
-            corner = edge;
-        } else if (end < 0) {
-            corner = next;
-        }
-        if (corner >= 0) {
-            cairn_unit2 n;
-            cairn_offset distance = cairn_unit_along(polygon.vertex[corner].x - centre.x, polygon.vertex[corner].y - centre.y, &n.x, &n.y);
-            if (distance <= r + margin) {
-                cairn_circle_touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), 16 + corner, 0, out);
-            }
-            return;
-        }
         steady = start < end ? start : end;
+        if (steady < 0) {
+            int corner = start < 0 ? edge : next;
+            distance = cairn_unit_along(polygon.vertex[corner].x - centre.x, polygon.vertex[corner].y - centre.y, &n.x, &n.y);
+            if (distance > r + margin) {
+                return;
+            }
+            feature = 16 + corner;
+            steady = 0;
+        }
         steady = most < steady ? most : steady;
     }
-    cairn_unit2 n = cairn_unit2_turned(polygon.normal[edge], b->c, b->s);
-    n.x = -n.x;
-    n.y = -n.y;
-    cairn_circle_touch(r, most - r, n, edge, steady, out);
+    cairn_circle_touch(r, distance - r, cairn_unit2_turned(n, b->c, b->s), feature, steady, out);
 }
