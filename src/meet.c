@@ -17,7 +17,7 @@ void cairn_body_pose(const cairn_body *body, cairn_offset x, cairn_offset y, cai
     out->shape = body->model->shape;
     out->x = x;
     out->y = y;
-    if (CAIRN_WITH_SLOPES) {
+    if (CAIRN_WITH_SLOPES || CAIRN_MAX_POINTS > 1) { /* a circle's contact with a box that stands upright does not ask */
         cairn_body_facing(body, &out->c, &out->s);
     }
 }

@@ -53,7 +53,7 @@ cairn_motion cairn_arbiter_rub(const cairn_world *world, const cairn_arbiter *ar
 typedef cairn_size cairn_sum_with(cairn_size sum, cairn_motion x);
 
 /* The motion of both, of a path for which it is right: a constant where a quick way asks. With the sizes of all, or their squares. */
-CAIRN_INLINE cairn_size cairn_pair_sum(cairn_sum_with *with, cairn_size sum, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
+CAIRN_ALWAYS_INLINE cairn_size cairn_pair_sum(cairn_sum_with *with, cairn_size sum, const cairn_body *a, const cairn_body *b, int path, bool with_spins)
 {
     sum = with(with(sum, b->vx), b->vy);
     with_spins = with_spins && CAIRN_WITH_TURNING;

@@ -23,7 +23,7 @@ CAIRN_INLINE bool is_out(const cairn_body *a, const cairn_body *b, const cairn_a
     return CAIRN_WITH_SHORTCUTS && may_be_far && cairn_is_far(a, b, arbiter);
 }
 
-CAIRN_INLINE cairn_size sum_at_start(cairn_sum_with *with, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
+CAIRN_ALWAYS_INLINE cairn_size sum_at_start(cairn_sum_with *with, const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter, int path)
 {
     const cairn_row *rows = arbiter->rows;
     cairn_size sum = with(with(0, arbiter->friction_impulse), rows[0].impulse);

@@ -1,6 +1,6 @@
 /*
- * Balls of one kind that neither rub nor turn fall among upright boxes: what every build of Cairn knows. It prints the world's hash now and then,
- * which a build with all features and one with the least of them must have in common (same_bits.cmake).
+ * Balls of one kind, or boxes where CRATES is 1, that neither rub nor turn fall among upright boxes: what every build of Cairn knows. It prints the
+ * world's hash now and then, which a build with all features and one with less must have in common (same_bits.cmake).
  */
 #include <cairn/cairn.h>
 #include <stdio.h>
@@ -10,7 +10,12 @@ enum { BALLS = 12, STEPS = 600, EACH = 60 };
 CAIRN_WORLD(yard, 16, 48);
 
 static const cairn_material slick = CAIRN_MATERIAL(0, 0);
-static const cairn_shape ball_shape = CAIRN_CIRCLE(CAIRN_F(0.3)), floor_shape = CAIRN_BOX(CAIRN_F(8), CAIRN_F(1)), post_shape = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(9));
+#if CRATES
+static const cairn_shape ball_shape = CAIRN_BOX(CAIRN_F(0.6), CAIRN_F(0.5));
+#else
+static const cairn_shape ball_shape = CAIRN_CIRCLE(CAIRN_F(0.3));
+#endif
+static const cairn_shape floor_shape = CAIRN_BOX(CAIRN_F(8), CAIRN_F(1)), post_shape = CAIRN_BOX(CAIRN_F(0.5), CAIRN_F(9));
 static const cairn_body_model ground = CAIRN_BODY_MODEL(CAIRN_STATIC, &floor_shape, &slick), post = CAIRN_BODY_MODEL(CAIRN_STATIC, &post_shape, &slick);
 
 int main(void)
