@@ -185,15 +185,15 @@ static bool may_look(const cairn_world *world, const cairn_body *a, const cairn_
         && cairn_bodies_may_meet(world, a, b);
 }
 
-/* A circle's contact takes less on the stack than a call in flash. */
+/* With two points a manifold and their rows lie deep on the stack; with one the compiler may inline meet(), which takes less flash. */
 #if CAIRN_MAX_POINTS > 1
-#define OF_NEW_ROWS CAIRN_APART
+#define MEET_APART CAIRN_APART
 #else
-#define OF_NEW_ROWS static
+#define MEET_APART static
 #endif
 
 /* Look at a pair, whose arbiter is null if there is none yet. */
-OF_NEW_ROWS void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
+MEET_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uint16_t b)
 {
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     cairn_manifold manifold;
