@@ -36,7 +36,7 @@ set(CAIRN_SOURCES
     src/shape_polygon.c
     src/sleep.c
     src/slide.c
-    src/solver_slides.c
+    src/solver_small.c
     src/hold.c
     src/idle.c
     src/solver_soft.c

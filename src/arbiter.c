@@ -52,6 +52,9 @@ cairn_arbiter *cairn_arbiter_search(cairn_world *world, uint16_t a, uint16_t b)
     return arbiter;
 }
 
+/* In a build without the soft solver no material names its class. */
+static bool is_bouncy(const cairn_material *material) { return CAIRN_WITH_SOFT_SOLVER ? material->bounce != NULL : material->restitution != 0; }
+
 /* Coulomb's coefficients of the pair: geometric means. */
 static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const cairn_material *b)
 {
@@ -59,7 +62,7 @@ static void mix_materials(cairn_arbiter *arbiter, const cairn_material *a, const
         return;
     }
     arbiter->kinetic_friction = a == b ? a->kinetic_friction : cairn_factor_geometric_mean(a->kinetic_friction, b->kinetic_friction);
-    arbiter->flags = (uint8_t)(a->bounce != NULL || b->bounce != NULL ? arbiter->flags | CAIRN_ARBITER_BOUNCY
+    arbiter->flags = (uint8_t)(is_bouncy(a) || is_bouncy(b) ? arbiter->flags | CAIRN_ARBITER_BOUNCY
                                                                       : arbiter->flags & ~CAIRN_ARBITER_BOUNCY);
 }
 

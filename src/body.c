@@ -95,8 +95,6 @@ cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b)
 
 /* ---- create and destroy ---- */
 
-static bool within(cairn_real x, cairn_real limit) { return x <= limit && x >= -limit; }
-
 /* Does a build without some features (config.h) know all that a material asks for? */
 static bool is_built_for_material(const cairn_material *material)
 {
@@ -123,7 +121,7 @@ static bool is_material_valid(const cairn_material *material)
                 && material->static_friction <= CAIRN_FACTOR(64)))
         && (!CAIRN_WITH_BOUNCE
             || (material->restitution >= 0 && material->restitution <= CAIRN_FACTOR(1) && material->threshold >= 0
-                && (material->restitution == 0 || material->bounce != NULL)));
+                && (!CAIRN_WITH_SOFT_SOLVER || material->restitution == 0 || material->bounce != NULL)));
 }
 
 static bool is_damping_valid(cairn_real damping) { return !CAIRN_WITH_DAMPING || (damping >= 0 && damping <= CAIRN_F(1000)); }
@@ -131,7 +129,7 @@ static bool is_damping_valid(cairn_real damping) { return !CAIRN_WITH_DAMPING ||
 static bool is_model_valid(const cairn_body_model *model)
 {
     return (model->type == CAIRN_DYNAMIC || model->type == CAIRN_STATIC || model->type == CAIRN_KINEMATIC) && is_material_valid(model->material)
-        && (!CAIRN_WITH_GRAVITY_SCALE || within(model->gravity_scale, CAIRN_F(16))) && is_damping_valid(model->damping)
+        && (!CAIRN_WITH_GRAVITY_SCALE || cairn_real_is_within(model->gravity_scale, CAIRN_F(16))) && is_damping_valid(model->damping)
         && is_damping_valid(model->angular_damping);
 }
 
@@ -216,7 +214,7 @@ static void take_model(cairn_world *world, cairn_body *body, const cairn_body_mo
     if (CAIRN_WITH_TURNING && model->type != CAIRN_STATIC && !model->fixed_rotation) {
         body->inverse_gyration = cairn_wide_pack(cairn_wide_inverse(cairn_wide_from_word(cairn_shape_gyration(model->shape))));
     }
-    if (CAIRN_WITH_BOUNCE && model->material->bounce != NULL) {
+    if (CAIRN_WITH_BOUNCE && CAIRN_WITH_SOFT_SOLVER && model->material->bounce != NULL) {
         world->bounce = model->material->bounce;
     }
 }
@@ -240,13 +238,13 @@ static void place(cairn_world *world, cairn_body *body, cairn_vec2 position, cai
     cairn_offset cx, cy;
     cairn_residue rx = cairn_residue_zero(), ry = rx;
     body->angle = angle;
-    if (CAIRN_WITH_POLYGONS) { /* else its origin is its centre */
-        cairn_body_centroid(body, &cx, &cy);
-        cairn_coordinate_shift(&position.x, &rx, cx);
-        cairn_coordinate_shift(&position.y, &ry, cy);
-    }
     body->x = position.x;
     body->y = position.y;
+    if (CAIRN_WITH_POLYGONS) { /* else its origin is its centre */
+        cairn_body_centroid(body, &cx, &cy);
+        cairn_coordinate_shift(&body->x, &rx, cx);
+        cairn_coordinate_shift(&body->y, &ry, cy);
+    }
     body->x_residue = rx & CAIRN_RESIDUE_BITS;
     body->y_residue = ry & CAIRN_RESIDUE_BITS;
     cairn_body_refresh_extents(body);
@@ -299,7 +297,7 @@ cairn_body_id cairn_body_create(cairn_world *world, const cairn_body_model *mode
     if (status == CAIRN_OK && !may_stand(model, angle)) {
         status = CAIRN_ERROR_KIND;
     }
-    if (status == CAIRN_OK && (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE))) {
+    if (status == CAIRN_OK && (!cairn_real_is_within(position.x, CAIRN_WORLD_EDGE) || !cairn_real_is_within(position.y, CAIRN_WORLD_EDGE))) {
         status = CAIRN_ERROR_RANGE;
     }
     cairn_body_id id;
@@ -364,7 +362,7 @@ cairn_status cairn_body_set_transform(cairn_world *world, cairn_body_id id, cair
     if (body == NULL) {
         return status;
     }
-    if (!within(position.x, CAIRN_WORLD_EDGE) || !within(position.y, CAIRN_WORLD_EDGE)) {
+    if (!cairn_real_is_within(position.x, CAIRN_WORLD_EDGE) || !cairn_real_is_within(position.y, CAIRN_WORLD_EDGE)) {
         return cairn_fail(world, CAIRN_ERROR_RANGE);
     }
     if (!may_stand(body->model, angle)) {

@@ -1,16 +1,10 @@
 /* The narrow phase of a circle with a polygon: the nearest face, or the nearest corner where the centre lies beyond a face's end. */
 #include "engine.h"
 
-/* How far a point lies outside of an edge. */
-static cairn_offset outside_of(const cairn_outline *polygon, int edge, cairn_offset2 p)
-{
-    return cairn_offset_dot(p.x - polygon->vertex[edge].x, p.y - polygon->vertex[edge].y, polygon->normal[edge].x, polygon->normal[edge].y);
-}
-
 /* How far beyond the corner where an edge begins a point lies along that edge. */
-static cairn_offset beyond(const cairn_outline *polygon, int corner, int edge, cairn_offset2 p)
+static cairn_offset beyond(const cairn_outline *polygon, int corner, int edge, const cairn_offset2 *p)
 {
-    return cairn_offset_dot(p.x - polygon->vertex[corner].x, p.y - polygon->vertex[corner].y, -polygon->normal[edge].y, polygon->normal[edge].x);
+    return cairn_offset_dot(p->x - polygon->vertex[corner].x, p->y - polygon->vertex[corner].y, -polygon->normal[edge].y, polygon->normal[edge].x);
 }
 
 /* All in the polygon's own frame, but for what is found. */
@@ -25,7 +19,7 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
     out->count = 0;
     cairn_shape_outline(b->shape, room.corner, &polygon);
     for (int i = 0; i < polygon.count; i++) {
-        cairn_offset distance = outside_of(&polygon, i, centre);
+        cairn_offset distance = cairn_outline_outside(&polygon, i, &centre);
         if (distance > r + margin) {
             return;
         }
@@ -42,7 +36,7 @@ void cairn_collide_circle_polygon(const cairn_pose *a, const cairn_pose *b, cair
     if (most > 0) {
         /* Outside: beyond one of the ends of the face it is the corner that is nearest. */
         int next = edge + 1 < polygon.count ? edge + 1 : 0;
-        cairn_offset start = beyond(&polygon, edge, edge, centre), end = start < 0 ? 0 : -beyond(&polygon, next, edge, centre);
+        cairn_offset start = beyond(&polygon, edge, edge, &centre), end = start < 0 ? 0 : -beyond(&polygon, next, edge, &centre);
         steady = start < end ? start : end;
         if (steady < 0) {
             int corner = start < 0 ? edge : next;

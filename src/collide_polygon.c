@@ -35,11 +35,7 @@ typedef struct counterpart {
 } counterpart;
 
 /* How far the other one's centre lies beyond a face. The face separates them by its inradius less at most: most faces are told by that. */
-static inline cairn_offset beyond(const cairn_outline *of, int edge, const cairn_relative *at)
-{
-    const cairn_offset2 *vertex = &of->vertex[edge];
-    return cairn_offset_dot(at->centre.x - vertex->x, at->centre.y - vertex->y, of->normal[edge].x, of->normal[edge].y);
-}
+static inline cairn_offset beyond(const cairn_outline *of, int edge, const cairn_relative *at) { return cairn_outline_outside(of, edge, &at->centre); }
 
 /* Look at a face that may separate them more than the best one so far. The result is what the lesser of these two separates them by. */
 static cairn_offset try_face(const cairn_outline *of, int edge, cairn_offset centre, const counterpart *from, axis *best)

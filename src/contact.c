@@ -12,7 +12,7 @@ static cairn_real newton_seconds(const cairn_world *world, const cairn_body *a, 
 static cairn_motion impulse_of(const cairn_arbiter *arbiter, uint16_t feature)
 {
     for (int i = 0; i < arbiter->count; i++) {
-        if (arbiter->rows[i].feature == feature) {
+        if ((arbiter->rows[i].feature & ~CAIRN_ROW_IN_FLIGHT) == feature) {
             return arbiter->rows[i].impulse;
         }
     }

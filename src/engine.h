@@ -1,14 +1,17 @@
 /*
  * What the engine's own files share, in the order of the step: world.c (step) -> broad_pairs.c or quadtree.c (pairs) -> meet.c,
- * arbiter.c -> collide_*.c (manifold) -> rows.c (prepare) -> idle.c -> solver_soft.c with sweep*.c and slide.c, or solver_slides.c, with bounce*.c,
+ * arbiter.c -> collide_*.c (manifold) -> rows.c (prepare) -> idle.c -> solver_soft.c with sweep*.c and slide.c, or solver_small.c, with bounce*.c,
  * spring*.c and block*.c -> motion.c (move) -> hold.c -> sleep.c.
  */
 #ifndef CAIRN_ENGINE_H
 #define CAIRN_ENGINE_H
 
-#include <cairn/world.h>
+#include <cairn/solver.h>
 
 #define CAIRN_NONE 0xFFFFu
+/* Of the solvers without sub-steps, as long as nobody has said otherwise. */
+#define CAIRN_FIRST_PASSES 10
+#define CAIRN_HARD_SLOP CAIRN_F(0.01)
 
 /* Bodies within this reach of one another get an arbiter before they touch. */
 #define CAIRN_REACH CAIRN_OFFSET(0.005)
@@ -86,10 +89,12 @@ enum {
     CAIRN_PATH_FORMER = 128 /* while blocks are looked for: it was in one */
 };
 
+/* Do the levers of contacts follow bodies that slide past one another? See slide.c. */
+#define CAIRN_HAS_SLIDES (CAIRN_WITH_SOFT_SOLVER && CAIRN_MAX_POINTS > 1)
 static inline bool cairn_arbiter_idles(const cairn_arbiter *arbiter) { return CAIRN_WITH_SHORTCUTS && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_IDLE; }
 static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
 {
-    return CAIRN_MAX_POINTS > 1 && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; /* see cairn_world_slides() */
+    return CAIRN_HAS_SLIDES && (arbiter->path & CAIRN_PATH_WAY) == CAIRN_PATH_SLIDING; /* see cairn_world_slides() */
 }
 
 /*
@@ -97,9 +102,9 @@ static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
  * bodies, each as CAIRN_PATH_CENTRAL.
  */
 #define CAIRN_HAS_WAYS \
-    (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
+    (CAIRN_WITH_SOFT_SOLVER && (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
      || CAIRN_WITH_FIXED_POSITION || CAIRN_WITH_BLOCKS || CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_CONTINUOUS || CAIRN_WITH_SHORTCUTS \
-     || CAIRN_WITH_HOLD)
+     || CAIRN_WITH_HOLD))
 /* Where no rows are held and no shapes are cheaply told apart, pairs are looked at first, and their arbiter is found, or made, once they meet. */
 #define CAIRN_LOOKS_FIRST (!CAIRN_WITH_HOLD && !CAIRN_WITH_SHORTCUTS)
 static inline unsigned cairn_arbiter_turn(const cairn_arbiter *arbiter)
@@ -122,7 +127,8 @@ static inline bool cairn_body_is_active(const cairn_body *body)
  * Does the step ask which bodies have met something, or hang on a spring? Where it does not, all that is active takes part in the sub-steps alike, and
  * no flag says so.
  */
-#define CAIRN_ASKS_WHO_MET (CAIRN_WITH_SHORTCUTS || CAIRN_WITH_SPRINGS || CAIRN_WITH_BOUNCE || CAIRN_WITH_FRICTION || CAIRN_WITH_SLEEP)
+#define CAIRN_ASKS_WHO_MET \
+    (CAIRN_WITH_SHORTCUTS || CAIRN_WITH_SPRINGS || CAIRN_WITH_SLEEP || (CAIRN_WITH_SOFT_SOLVER && (CAIRN_WITH_BOUNCE || CAIRN_WITH_FRICTION)))
 static inline bool cairn_body_goes(const cairn_body *body)
 {
     return CAIRN_ASKS_WHO_MET ? (body->flags & CAIRN_BODY_GOES) != 0 : cairn_body_is_active(body);
@@ -141,6 +147,8 @@ cairn_wide_word cairn_shape_gyration(const cairn_shape *shape);
 cairn_real cairn_shape_inradius(const cairn_shape *shape);
 /* The outline in the shape's own frame, of what is not round. A box's corners are written to the room for four that is given. */
 void cairn_shape_outline(const cairn_shape *shape, cairn_offset2 *room, struct cairn_outline *out);
+/* Half sizes of the bounding box of what has an outline, in this rotation: of polygons, and of boxes that are none other. */
+void cairn_outline_extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y);
 static inline bool cairn_shape_is_round(const cairn_shape *shape) { return shape->kind->rank == 0; }
 /* Half sizes of the bounding box about the centre of mass, rounded up, for the rotation (c, s). Where nothing turns they are those of the shape. */
 #define CAIRN_HAS_EXTENTS (CAIRN_WITH_SLOPES || CAIRN_WITH_POLYGONS)
@@ -172,7 +180,10 @@ cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
 
 /* What a build may be without (config.h): constants then, and the compiler leaves out what cannot occur. */
 static inline struct cairn_spring_pool *cairn_world_springs(const cairn_world *world) { return CAIRN_WITH_SPRINGS ? world->springs : NULL; }
-static inline const cairn_bounce_class *cairn_world_bounce(const cairn_world *world) { return CAIRN_WITH_BOUNCE ? world->bounce : NULL; }
+static inline const cairn_bounce_class *cairn_world_bounce(const cairn_world *world) 
+{
+    return CAIRN_WITH_BOUNCE && CAIRN_WITH_SOFT_SOLVER ? world->bounce : NULL;
+}
 static inline const cairn_continuous_class *cairn_world_continuous(const cairn_world *world)
 {
     return CAIRN_WITH_CONTINUOUS ? world->continuous : NULL;
@@ -187,12 +198,17 @@ static inline const cairn_sleep_class *cairn_world_sleep(const cairn_world *worl
  */
 /* What has slipped in a contact that sticks is taken back with this time constant, in steps. */
 #define CAIRN_STICK_STEPS 48
+#define CAIRN_FIRST_SUBSTEPS (CAIRN_WITH_SOFT_SOLVER ? 4 : 1)
 static inline cairn_real cairn_world_rate(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->rate : CAIRN_F(60); }
-static inline int cairn_world_substeps(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->substeps : 4; }
-static inline cairn_motion cairn_world_most_speed(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->speed_limit : CAIRN_MOTION(0.93 / 1.5625); }
+static inline int cairn_world_substeps(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->substeps : CAIRN_FIRST_SUBSTEPS; }
+static inline int cairn_world_passes(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->passes : CAIRN_FIRST_PASSES; }
+static inline cairn_motion cairn_world_most_speed(const cairn_world *world)
+{
+    return CAIRN_WITH_SETTINGS ? world->speed_limit : CAIRN_WITH_SOFT_SOLVER ? CAIRN_MOTION(0.93 / 1.5625) : CAIRN_MOTION(0.93 / 1.140625);
+}
 static inline cairn_motion cairn_world_rest_limit(const cairn_world *world)
 {
-    return CAIRN_WITH_SETTINGS ? world->rest_limit : CAIRN_MOTION(3277.0 / 65536 / 240); /* CAIRN_REST_SPEED */
+    return CAIRN_WITH_SETTINGS ? world->rest_limit : CAIRN_MOTION(3277.0 / 65536 / (60 * CAIRN_FIRST_SUBSTEPS)); /* CAIRN_REST_SPEED */
 }
 static inline cairn_ratio cairn_world_rest_damping(const cairn_world *world) { return CAIRN_WITH_SETTINGS ? world->rest_damping : CAIRN_RATIO(1.0 / 60); }
 static inline cairn_ratio cairn_world_stick(const cairn_world *world)
@@ -201,20 +217,44 @@ static inline cairn_ratio cairn_world_stick(const cairn_world *world)
 }
 static inline cairn_motion cairn_world_push_out_limit(const cairn_world *world)
 {
-    return CAIRN_WITH_SETTINGS ? world->push_out_limit : CAIRN_MOTION(3.0 / 240);
+    return CAIRN_WITH_SETTINGS ? world->push_out_limit : CAIRN_MOTION(3.0 / (60 * CAIRN_FIRST_SUBSTEPS));
 }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_world_substep(const cairn_world *world)
 {
-    const cairn_wide at_first = CAIRN_WIDE_SCALED(128.0 / 240, -7);
+    const cairn_wide at_first = CAIRN_WIDE_SCALED(128.0 / 240, CAIRN_WITH_SOFT_SOLVER ? -7 : -5);
     return CAIRN_WITH_SETTINGS ? world->substep : at_first;
 }
 CAIRN_ALWAYS_INLINE cairn_wide cairn_world_inverse_substep(const cairn_world *world)
 {
-    const cairn_wide at_first = CAIRN_WIDE_SCALED(240.0 / 256, 8);
+    const cairn_wide at_first = CAIRN_WIDE_SCALED(240.0 / 256, CAIRN_WITH_SOFT_SOLVER ? 8 : 6);
     return CAIRN_WITH_SETTINGS ? world->inverse_substep : at_first;
 }
 /* Where there is one of a kind it is called by its own name. */
-static inline const cairn_solver_class *cairn_world_solver(const cairn_world *world) { return CAIRN_WITH_SLIDES_SOLVER ? world->solver : &cairn_solver_soft; }
+#define CAIRN_HAS_SOLVERS (CAIRN_WITH_SOFT_SOLVER + CAIRN_WITH_SLIDES_SOLVER + CAIRN_WITH_SMALL_SOLVER)
+#if CAIRN_WITH_SOFT_SOLVER
+#define CAIRN_ONLY_SOLVER cairn_solver_soft
+#elif CAIRN_WITH_SLIDES_SOLVER
+#define CAIRN_ONLY_SOLVER cairn_solver_slides
+#else
+#define CAIRN_ONLY_SOLVER cairn_solver_small
+#endif
+static inline const cairn_solver_class *cairn_world_solver(const cairn_world *world) { return CAIRN_HAS_SOLVERS > 1 ? world->solver : &CAIRN_ONLY_SOLVER; }
+/* Has the build this one of them? */
+static inline bool cairn_solver_is_known(const cairn_solver_class *solver)
+{
+    static const bool known[] = { CAIRN_WITH_SOFT_SOLVER, CAIRN_WITH_SLIDES_SOLVER, CAIRN_WITH_SMALL_SOLVER };
+    return CAIRN_HAS_SOLVERS > 1 ? (unsigned)solver->kind < sizeof known && known[solver->kind] : solver == &CAIRN_ONLY_SOLVER;
+}
+/* The soft solver has sub-steps, and what corrects its motion: contacts that hold and follow, rest, and bodies that go straight. */
+static inline bool cairn_world_is_soft(const cairn_world *world)
+{
+    return CAIRN_WITH_SOFT_SOLVER && (CAIRN_HAS_SOLVERS == 1 || world->solver->kind == CAIRN_SOLVER_SOFT);
+}
+/* Does the small solver run, which starts with the impulses of the step before, and not the slides'? */
+static inline bool cairn_world_starts_warm(const cairn_world *world)
+{
+    return CAIRN_WITH_SMALL_SOLVER && (!CAIRN_WITH_SLIDES_SOLVER || world->solver->kind == CAIRN_SOLVER_SMALL);
+}
 extern const cairn_broad_class cairn_broad_pairs;
 static inline const cairn_broad_class *cairn_world_broad(const cairn_world *world) { return CAIRN_WITH_QUADTREE ? world->broad : &cairn_broad_pairs; }
 
@@ -229,9 +269,15 @@ static inline bool cairn_bodies_are_fixed(const cairn_body *a, const cairn_body 
 }
 /* Are there dynamic bodies that are not CAIRN_BODY_PLAIN? */
 #define CAIRN_HAS_ODD_BODIES (CAIRN_WITH_GRAVITY_SCALE || CAIRN_WITH_DAMPING || CAIRN_WITH_FIXED_POSITION)
+/* What gravity gives a dynamic body in a sub-step, along x or y. */
+cairn_motion cairn_body_scaled_gravity(const cairn_world *world, cairn_motion gravity, const cairn_body *body);
+static inline cairn_motion cairn_body_gravity(const cairn_world *world, cairn_motion gravity, const cairn_body *body)
+{
+    return CAIRN_HAS_ODD_BODIES && !(body->flags & CAIRN_BODY_PLAIN) ? cairn_body_scaled_gravity(world, gravity, body) : gravity;
+}
 static inline bool cairn_body_is_sensing(const cairn_body *body) { return CAIRN_WITH_SENSORS && body->model->sensor; }
 /* Of two that are round and free to move none slides in the sense of slide.c. */
-static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_MAX_POINTS > 1 && world->slides; }
+static inline bool cairn_world_slides(const cairn_world *world) { return CAIRN_HAS_SLIDES && world->slides; }
 static inline bool cairn_arbiter_has_two(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS > 1 && arbiter->count > 1; }
 /* Of one whose shapes meet, and of what they meet in. */
 static inline int cairn_arbiter_points(const cairn_arbiter *arbiter) { return CAIRN_MAX_POINTS == 1 && !CAIRN_WITH_BOUNCE ? 1 : arbiter->count; }
@@ -274,6 +320,7 @@ static inline bool cairn_body_is_round(const cairn_body *body) { return cairn_sh
  * (CAIRN_BODY_FACING), or what holds the body back (arbiter.c), and dw is how far its surface may come in this step. When it
  * is done all are zero. What is round looks the same from everywhere.
  */
+#define CAIRN_KEEPS_FACING (CAIRN_WITH_SLOPES && (CAIRN_WITH_SHORTCUTS || !CAIRN_SMALL)) /* else the narrow phase asks each time: it only saves time */
 static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cairn_unit *s)
 {
     *c = CAIRN_UNIT(1);
@@ -281,15 +328,15 @@ static inline void cairn_body_facing(const cairn_body *body, cairn_unit *c, cair
     if (!CAIRN_WITH_SLOPES) {
         return;
     }
-    if (body->flags & CAIRN_BODY_FACING) {
+    if (CAIRN_KEEPS_FACING && (body->flags & CAIRN_BODY_FACING)) {
         *c = body->dx;
         *s = body->dy;
     } else if (!cairn_body_is_round(body)) {
         cairn_angle_rotation(body->angle, c, s);
     }
 }
-CAIRN_SHARED cairn_motion cairn_body_held_x(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dx; }
-static inline cairn_motion cairn_body_held_y(const cairn_body *body) { return body->flags & CAIRN_BODY_FACING ? 0 : body->dy; }
+CAIRN_SHARED cairn_motion cairn_body_held_x(const cairn_body *body) { return CAIRN_KEEPS_FACING && (body->flags & CAIRN_BODY_FACING) ? 0 : body->dx; }
+static inline cairn_motion cairn_body_held_y(const cairn_body *body) { return CAIRN_KEEPS_FACING && (body->flags & CAIRN_BODY_FACING) ? 0 : body->dy; }
 static inline cairn_real cairn_body_way(const cairn_body *body) { return (cairn_real)body->dw; }
 
 /* While nothing moves, dw may hold the place of another body: of the next free one, or for a stage of the step that leaves it zero. */
@@ -494,6 +541,13 @@ static inline void cairn_circle_place(cairn_offset r, cairn_unit2 n, cairn_offse
     out->points[0].y = cairn_offset_mul(middle, n.y);
 }
 
+/* How far a point of its frame lies outside of an edge. */
+CAIRN_SHARED cairn_offset cairn_outline_outside(const struct cairn_outline *outline, int edge, const cairn_offset2 *p)
+{
+    const cairn_offset2 *vertex = &outline->vertex[edge];
+    return cairn_offset_dot(p->x - vertex->x, p->y - vertex->y, outline->normal[edge].x, outline->normal[edge].y);
+}
+
 /* The contact of a circle of radius r with a polygon's surface in direction n from the circle. */
 CAIRN_SHARED void cairn_circle_touch(cairn_offset r, cairn_offset separation, cairn_unit2 n, int feature, cairn_offset steady, cairn_manifold *out)
 {
@@ -638,7 +692,7 @@ bool cairn_arbiter_slips_fast(const cairn_body *a, const cairn_body *b, const ca
 static inline bool cairn_arbiter_slips_past(const cairn_body *a, const cairn_body *b, const cairn_arbiter *arbiter)
 {
     cairn_size size = cairn_size_with(cairn_size_of(b->vx - a->vx), b->vy - a->vy);
-    return !cairn_size_is_below(size, CAIRN_SLIDES) && cairn_arbiter_slips_fast(a, b, arbiter);
+    return CAIRN_HAS_SLIDES && !cairn_size_is_below(size, CAIRN_SLIDES) && cairn_arbiter_slips_fast(a, b, arbiter);
 }
 /* After b has moved by (x, y) to a. */
 void cairn_arbiter_slide(const cairn_body *a, const cairn_body *b, cairn_arbiter *arbiter, cairn_offset x, cairn_offset y);

@@ -100,7 +100,7 @@ static bool may_slide_past(const cairn_world *world, cairn_offset ways, const ca
 /* The same during the search, where bodies keep their cosines and sines. */
 static inline void face(cairn_body *body, cairn_offset x, cairn_offset y, cairn_pose *out)
 {
-    if (!(body->flags & CAIRN_BODY_FACING) && !cairn_body_is_round(body)) {
+    if (CAIRN_KEEPS_FACING && !(body->flags & CAIRN_BODY_FACING) && !cairn_body_is_round(body)) {
         cairn_body_face(body);
     }
     cairn_body_pose(body, x, y, out);
@@ -108,6 +108,10 @@ static inline void face(cairn_body *body, cairn_offset x, cairn_offset y, cairn_
 
 CAIRN_APART void collide_facing(cairn_body *a, cairn_body *b, cairn_offset margin, cairn_manifold *manifold)
 {
+    if (!CAIRN_KEEPS_FACING) {
+        cairn_bodies_collide(a, b, margin, manifold);
+        return;
+    }
     cairn_pose pa, pb;
     face(a, 0, 0, &pa);
     face(b, cairn_bodies_apart_x(a, b), cairn_bodies_apart_y(a, b), &pb);
@@ -122,7 +126,7 @@ static cairn_real radius_of(const cairn_body *body)
 }
 
 /* What is round does not come as near as that in the narrow phase either: there it only saves time. */
-#define MAY_BE_BEYOND (CAIRN_WITH_SHORTCUTS || CAIRN_MAX_POINTS > 1)
+#define MAY_BE_BEYOND (CAIRN_WITH_SOFT_SOLVER && (CAIRN_WITH_SHORTCUTS || CAIRN_MAX_POINTS > 1))
 
 /* Boxes meet at their corners, where most bodies have none: those are farther apart than the discs around them. */
 CAIRN_APART bool are_beyond(const cairn_body *a, const cairn_body *b)
@@ -216,14 +220,14 @@ MEET_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uin
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
     if (!(CAIRN_WITH_SENSORS && (arbiter->flags & CAIRN_ARBITER_SENSOR)) && !(CAIRN_WITH_SLEEP && ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP))) {
-        if (CAIRN_WITH_SHORTCUTS && arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
+        if (CAIRN_WITH_SHORTCUTS && cairn_world_is_soft(world) && arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
             cairn_arbiter_take_turn(world, before, arbiter->path);
             return;
         }
         cairn_arbiter_engage(world, arbiter, body_a, body_b);
     }
     if (CAIRN_HAS_WAYS) {
-        arbiter->path = cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH);
+        arbiter->path = cairn_world_is_soft(world) ? cairn_arbiter_path_of(world, arbiter, CAIRN_PATH_FRESH) : CAIRN_PATH_NONE;
         cairn_arbiter_take_turn(world, before, arbiter->path);
     }
     world->slides = world->slides || cairn_arbiter_is_sliding(arbiter);
@@ -291,7 +295,7 @@ void cairn_arbiter_pair(cairn_world *world, uint16_t a, uint16_t b)
     }
     cairn_body *body_a = &world->bodies[a], *body_b = &world->bodies[b];
     if (arbiter == NULL) {
-        if (MAY_BE_BEYOND && are_beyond(body_a, body_b)) {
+        if (MAY_BE_BEYOND && cairn_world_is_soft(world) && are_beyond(body_a, body_b)) {
             return;
         }
         arbiter = CAIRN_LOOKS_FIRST ? NULL : cairn_arbiter_search(world, a, b);

@@ -1,18 +1,23 @@
 /* The motion of bodies in the step: velocities from forces, poses from displacements, and the limits of both. */
 #include "engine.h"
 
+/* True if it was beyond the limit. */
+CAIRN_ONCE bool limit(cairn_motion *v, cairn_motion most)
+{
+    cairn_motion before = *v;
+    *v = cairn_motion_clamp(before, most);
+    return *v != before;
+}
+
 void cairn_body_limit_speed(cairn_world *world, cairn_body *body)
 {
-    cairn_motion vx = cairn_motion_clamp(body->vx, cairn_world_most_speed(world)), vy = cairn_motion_clamp(body->vy, cairn_world_most_speed(world));
-    cairn_motion w = cairn_motion_clamp(cairn_body_spin(body), cairn_world_most_speed(world));
-    if (vx != body->vx || vy != body->vy || w != cairn_body_spin(body)) {
-        world->stats.saturations++;
-        body->vx = vx;
-        body->vy = vy;
-        if (CAIRN_WITH_TURNING) {
-            body->w = w;
-        }
+    cairn_motion most = cairn_world_most_speed(world);
+    bool cut = limit(&body->vx, most);
+    cut |= limit(&body->vy, most);
+    if (CAIRN_WITH_TURNING) {
+        cut |= limit(&body->w, most);
     }
+    world->stats.saturations += cut;
 }
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
@@ -39,6 +44,9 @@ static bool is_long(cairn_real way, const cairn_shape *shape) { return way > BRI
 
 bool cairn_body_is_fast(const cairn_world *world, const cairn_body *body) { return is_long(way_of(world, body), body->model->shape); }
 
+/* Do boxes of what is brisk cover a wider sector? Without, they are made anew more often. */
+#define HAS_WIDE CAIRN_KEEPS_FACING
+
 /* All angles of the sector in which the body looks, so that what hardly turns keeps its box: a 4096th of a turn, or a 64th for what is brisk. */
 static void set_extents(cairn_body *body, bool brisk)
 {
@@ -48,12 +56,12 @@ static void set_extents(cairn_body *body, bool brisk)
     cairn_body_facing(body, &c, &s);
     cairn_shape_extents(shape, c, s, &x, &y);
     if (CAIRN_WITH_SLOPES && cairn_body_can_turn(body) && !cairn_body_is_round(body)) {
-        wider = brisk ? cairn_real_wide_sector(y) : cairn_real_sector(y);
-        higher = brisk ? cairn_real_wide_sector(x) : cairn_real_sector(x);
+        wider = HAS_WIDE && brisk ? cairn_real_wide_sector(y) : cairn_real_sector(y);
+        higher = HAS_WIDE && brisk ? cairn_real_wide_sector(x) : cairn_real_sector(x);
     }
     body->extent_x = cairn_extent_above(x + margin + wider);
     body->extent_y = cairn_extent_above(y + margin + higher);
-    if (CAIRN_WITH_SLOPES) {
+    if (HAS_WIDE) {
         body->flags = (uint16_t)(brisk ? body->flags | CAIRN_BODY_WIDE : body->flags & ~CAIRN_BODY_WIDE);
     }
 }
@@ -62,7 +70,7 @@ void cairn_body_refresh_extents(cairn_body *body) { set_extents(body, false); }
 
 void cairn_body_face(cairn_body *body)
 {
-    if (CAIRN_WITH_SLOPES && !(body->flags & CAIRN_BODY_FACING) && body->dx == 0 && body->dy == 0 && !cairn_body_is_round(body)) {
+    if (CAIRN_KEEPS_FACING && !(body->flags & CAIRN_BODY_FACING) && body->dx == 0 && body->dy == 0 && !cairn_body_is_round(body)) {
         cairn_angle_rotation(body->angle, &body->dx, &body->dy);
         body->flags |= CAIRN_BODY_FACING;
     }
@@ -105,7 +113,7 @@ void cairn_bodies_look_ahead(cairn_world *world)
         if (CAIRN_WITH_CONTINUOUS) {
             body->flags &= (uint16_t)~CAIRN_BODY_FAST;
         }
-        if (CAIRN_WITH_SLOPES && (body->extent_x == 0 || (!brisk && (body->flags & CAIRN_BODY_WIDE)))) {
+        if (CAIRN_WITH_SLOPES && (body->extent_x == 0 || (HAS_WIDE && !brisk && (body->flags & CAIRN_BODY_WIDE)))) {
             cairn_body_face(body);
             set_extents(body, brisk);
         }
@@ -130,7 +138,7 @@ void cairn_bodies_end_search(cairn_world *world)
                 narrow(body);
             }
             body->dw = 0;
-            if (CAIRN_WITH_SLOPES || CAIRN_WITH_CONTINUOUS) { /* else they are */
+            if (CAIRN_KEEPS_FACING || CAIRN_WITH_CONTINUOUS) { /* else they are */
                 body->dx = body->dy = 0;
                 body->flags &= (uint16_t)~CAIRN_BODY_FACING;
             }
@@ -151,7 +159,7 @@ static cairn_motion damped(const cairn_world *world, cairn_motion v, cairn_real 
     return cairn_motion_scale(v, cairn_wide_inverse(cairn_wide_add(cairn_wide_from_int(1), c_dt)));
 }
 
-static cairn_motion scaled(const cairn_world *world, cairn_motion gravity, const cairn_body *body)
+cairn_motion cairn_body_scaled_gravity(const cairn_world *world, cairn_motion gravity, const cairn_body *body)
 {
     if (cairn_body_is_fixed(body)) {
         return 0;
@@ -186,8 +194,8 @@ void cairn_body_start(cairn_world *world, cairn_body *body, cairn_motion gx, cai
         body->vy = cairn_motion_add(body->vy + gy, fy);
         spin_up(body, fw);
     } else if (CAIRN_HAS_ODD_BODIES && cairn_body_is_dynamic(body)) {
-        body->vx = cairn_motion_add(body->vx + scaled(world, gx, body), fx);
-        body->vy = cairn_motion_add(body->vy + scaled(world, gy, body), fy);
+        body->vx = cairn_motion_add(body->vx + cairn_body_scaled_gravity(world, gx, body), fx);
+        body->vy = cairn_motion_add(body->vy + cairn_body_scaled_gravity(world, gy, body), fy);
         spin_up(body, fw);
     }
     if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) {
@@ -270,7 +278,7 @@ CAIRN_APART void straighten_push(const cairn_world *world, const cairn_arbiter *
 static inline void mark_rest(cairn_body *a, cairn_body *b, const cairn_arbiter *arbiter, cairn_motion first, cairn_motion second)
 {
     unsigned kept = ~0u;
-    if (CAIRN_WITH_FRICTION) {
+    if (CAIRN_WITH_SOFT_SOLVER && CAIRN_WITH_FRICTION) {
         kept = ~(cairn_flag_if(slips(arbiter, first + second), CAIRN_BODY_GRIPS) | cairn_flag_if(first > 0 && second > 0, CAIRN_BODY_UNSTEADY));
     }
     if (!(arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
@@ -286,10 +294,11 @@ static void mark_held(cairn_world *world)
     cairn_arbiter *arbiters = world->arbiters;
     cairn_body *bodies = world->bodies;
     unsigned points = 0, solved = 0;
+    bool soft = cairn_world_is_soft(world);
     for (const uint16_t *at = world->order; at != end; at++) {
         cairn_arbiter *arbiter = &arbiters[*at];
         unsigned flags = arbiter->flags;
-        if (!CAIRN_WITH_HOLD) { /* else hold.c does it */
+        if (!CAIRN_WITH_HOLD || !soft) { /* else hold.c does it */
             arbiter->flags = (uint8_t)(flags &= ~(unsigned)CAIRN_ARBITER_FRESH);
         }
         if ((CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_SHORTCUTS) && !(flags & CAIRN_ARBITER_SOLVED)) {
@@ -301,7 +310,7 @@ static void mark_held(cairn_world *world)
         if (first >= LEAST_PUSH || second >= LEAST_PUSH) {
             arbiter->flags = (uint8_t)(flags | CAIRN_ARBITER_TOUCHING);
             mark_rest(&bodies[arbiter->a], &bodies[arbiter->b], arbiter, first, second);
-            if (CAIRN_WITH_SLOPES && (flags & CAIRN_ARBITER_ON_STATIC) && arbiter->friction_lever_a != 0) {
+            if (soft && CAIRN_WITH_SLOPES && (flags & CAIRN_ARBITER_ON_STATIC) && arbiter->friction_lever_a != 0) {
                 straighten_push(world, arbiter);
             }
         }
@@ -337,7 +346,7 @@ static inline void move(cairn_world *world, cairn_body *body)
         cairn_angle before = body->angle;
         body->angle = cairn_angle_add(before, cairn_angle_from_motion(body->dw, cairn_body_inverse_gyration(body)));
         if (CAIRN_WITH_SLOPES && !cairn_angle_is_in_sector(before, body->angle) && !cairn_body_is_round(body)
-            && !((body->flags & CAIRN_BODY_WIDE) && cairn_angle_is_in_wide_sector(before, body->angle))) {
+            && !(HAS_WIDE && (body->flags & CAIRN_BODY_WIDE) && cairn_angle_is_in_wide_sector(before, body->angle))) {
             body->extent_x = 0;
         }
     }
@@ -351,11 +360,7 @@ void cairn_body_move(cairn_world *world, cairn_body *body) { move(world, body); 
  */
 static void straighten(const cairn_world *world, cairn_body *body)
 {
-    cairn_motion gx = world->gravity_x.whole, gy = world->gravity_y.whole;
-    if (CAIRN_HAS_ODD_BODIES && !(body->flags & CAIRN_BODY_PLAIN)) {
-        gx = scaled(world, gx, body);
-        gy = scaled(world, gy, body);
-    }
+    cairn_motion gx = cairn_body_gravity(world, world->gravity_x.whole, body), gy = cairn_body_gravity(world, world->gravity_y.whole, body);
     body->dx -= cairn_motion_half(gx * cairn_world_substeps(world));
     body->dy -= cairn_motion_half(gy * cairn_world_substeps(world));
 }
@@ -364,13 +369,13 @@ static void straighten(const cairn_world *world, cairn_body *body)
 static inline void finish(cairn_world *world, cairn_body *body)
 {
     if (cairn_body_is_dynamic(body)) {
-        if (body->flags & (CAIRN_BODY_HELD | CAIRN_BODY_SPRING)) {
-            calm(world, body);
-        } else {
+        if (!(body->flags & (CAIRN_BODY_HELD | CAIRN_BODY_SPRING))) {
             straighten(world, body);
+        } else if (cairn_world_is_soft(world)) {
+            calm(world, body);
         }
     }
-    if (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW)) { /* the sweeps' own limit is a wider one */
+    if (CAIRN_WITH_SOFT_SOLVER && (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW))) { /* the sweeps' own limit is a wider one */
         cairn_body_limit_speed(world, body);
     }
     body->flags &= (uint16_t)~(CAIRN_ASKS_WHO_MET ? CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS : CAIRN_BODY_HELD);
@@ -397,7 +402,7 @@ void cairn_bodies_finish(cairn_world *world)
         body->ux = 0;
         body = next;
     }
-    if (CAIRN_WITH_HOLD) {
+    if (CAIRN_WITH_HOLD && cairn_world_is_soft(world)) {
         cairn_arbiters_follow(world);
     }
 }

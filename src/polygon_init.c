@@ -179,7 +179,7 @@ static void fill_outline(cairn_polygon *polygon, const corner_list *corners, cai
     polygon->count = (uint8_t)corners->count;
     polygon->centroid.x = centroid.x;
     polygon->centroid.y = centroid.y;
-    polygon->inradius = CAIRN_OFFSET_MAX;
+    cairn_offset inradius = CAIRN_OFFSET_MAX;
     for (int i = 0; i < corners->count; i++) {
         const cairn_offset2 *here = &corners->at[i], *next = after(corners, i);
         cairn_offset2 *vertex = &polygon->vertex[i];
@@ -188,8 +188,9 @@ static void fill_outline(cairn_polygon *polygon, const corner_list *corners, cai
         vertex->y = here->y - centroid.y;
         cairn_unit_along(next->y - here->y, here->x - next->x, &normal->x, &normal->y);
         cairn_offset distance = cairn_offset_dot(vertex->x, vertex->y, normal->x, normal->y);
-        polygon->inradius = distance < polygon->inradius ? distance : polygon->inradius;
+        inradius = distance < inradius ? distance : inradius;
     }
+    polygon->inradius = inradius;
 }
 
 /*

@@ -20,7 +20,7 @@ static cairn_ratio effective_mass(const cairn_arbiter *arbiter, cairn_factor lin
         return CAIRN_RATIO(1); /* circles */
     }
     cairn_ratio mass = cairn_factor_inverse(linear + cairn_factor_spin(arbiter->share_a, ja, ja) + cairn_factor_spin(cairn_arbiter_share_b(arbiter), jb, jb));
-    return mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
+    return !CAIRN_WITH_FIXED_POSITION || mass <= CAIRN_RATIO(1) || has_room(mass, ja, jb) ? mass : CAIRN_RATIO(1);
 }
 
 cairn_lever cairn_body_lever(const cairn_body *body, cairn_offset arm)
@@ -39,8 +39,9 @@ static cairn_motion gap_of(const cairn_world *world, cairn_offset separation)
     if (beyond >= 0) {
         return 0;
     }
-    cairn_motion push = cairn_motion_ratio(cairn_motion_from_offset(beyond), CAIRN_SOFT_BETA);
-    return push < -cairn_world_push_out_limit(world) ? -cairn_world_push_out_limit(world) : push;
+    cairn_motion push = cairn_motion_ratio(cairn_motion_from_offset(beyond), cairn_world_is_soft(world) ? CAIRN_SOFT_BETA : CAIRN_RATIO(0.2)); /* Baumgarte's */
+    cairn_motion most = -cairn_world_push_out_limit(world);
+    return push < most ? most : push;
 }
 
 /* The impulses of a point that persists stay with it; false if it does not. */
@@ -68,11 +69,15 @@ static bool keep_impulses_of_two(cairn_arbiter *arbiter, const cairn_manifold *m
         cairn_row *row = &arbiter->rows[i];
         row->feature = manifold->points[i].feature;
         row->impulse = 0;
-        row->load = 0;
+        if (CAIRN_WITH_HOLD) {
+            row->load = 0;
+        }
         for (int j = 0; j < old_count; j++) {
             if (old[j].feature == row->feature && !cairn_row_came_flying(&old[j])) {
                 row->impulse = old[j].impulse;
-                row->load = old[j].load;
+                if (CAIRN_WITH_HOLD) {
+                    row->load = old[j].load;
+                }
                 kept = true;
             }
         }
@@ -132,7 +137,7 @@ static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit t
  */
 static bool passes_over(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *b, const cairn_manifold *manifold)
 {
-    return CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0
+    return cairn_world_is_soft(world) && CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0
         && (!CAIRN_WITH_CONTINUOUS || manifold->time == 0)
         && cairn_body_is_under_way(world, b);
 }
@@ -182,15 +187,17 @@ void cairn_arbiter_prepare(cairn_world *world, cairn_arbiter *arbiter, const cai
     if (CAIRN_HAS_WAYS) {
         arbiter->path &= CAIRN_PATH_FRESH;
     }
-    if (cairn_arbiter_slips_past(a, b, arbiter)) {
+    if (cairn_world_is_soft(world) && cairn_arbiter_slips_past(a, b, arbiter)) {
         arbiter->path |= CAIRN_PATH_SLIDING;
         if (CAIRN_WITH_CONTINUOUS && manifold->time != 0) {
             cairn_arbiter_slide(a, b, arbiter, -until(b->vx - a->vx, world, manifold->time), -until(b->vy - a->vy, world, manifold->time));
         }
     }
     cairn_arbiter_mark_careful(arbiter, a, b);
-    if (CAIRN_WITH_SLOPES && (arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
+    if (cairn_world_is_soft(world) && CAIRN_WITH_SLOPES && (arbiter->flags & CAIRN_ARBITER_ON_STATIC)) {
         arbiter->friction_lever_a = cairn_dir_lean(nx, ny, arbiter->normal_x, arbiter->normal_y);
     }
-    cairn_arbiter_take_hold(world, arbiter);
+    if (cairn_world_is_soft(world)) {
+        cairn_arbiter_take_hold(world, arbiter);
+    }
 }

@@ -4,10 +4,8 @@
 static cairn_status check(const cairn_shape *shape)
 {
     cairn_real w = shape->size.x, h = shape->size.y;
-    if (w < CAIRN_SHAPE_RADIUS_MIN || h < CAIRN_SHAPE_RADIUS_MIN || w > 2 * CAIRN_SHAPE_RADIUS_MAX || h > 2 * CAIRN_SHAPE_RADIUS_MAX) {
-        return CAIRN_ERROR_SHAPE;
-    }
-    return cairn_real_is_short(w, h, 2 * CAIRN_SHAPE_RADIUS_MAX) ? CAIRN_OK : CAIRN_ERROR_SHAPE;
+    bool fits = w >= CAIRN_SHAPE_RADIUS_MIN && h >= CAIRN_SHAPE_RADIUS_MIN && cairn_real_is_short(w, h, 2 * CAIRN_SHAPE_RADIUS_MAX);
+    return fits ? CAIRN_OK : CAIRN_ERROR_SHAPE;
 }
 
 static cairn_offset magnitude(cairn_offset x) { return x < 0 ? -x : x; }
@@ -23,7 +21,7 @@ static void extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_
 }
 
 const cairn_shape_class cairn_box_class = {
-    1, check, CAIRN_HAS_EXTENTS ? extents : NULL,
+    1, check, CAIRN_BOXES_ARE_POLYGONS ? cairn_outline_extents : CAIRN_HAS_EXTENTS ? extents : NULL,
     { CAIRN_BOXES_ARE_POLYGONS ? cairn_collide_circle_polygon : cairn_collide_circle_box
       CAIRN_AND_OF_TWO(CAIRN_BOXES_ARE_POLYGONS ? cairn_collide_polygons : cairn_collide_boxes) }
 };

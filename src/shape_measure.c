@@ -85,3 +85,20 @@ void cairn_shape_outline(const cairn_shape *shape, cairn_offset2 *room, cairn_ou
     out->vertex = polygon->vertex;
     out->normal = polygon->normal;
 }
+
+void cairn_outline_extents(const cairn_shape *shape, cairn_unit c, cairn_unit s, cairn_real *x, cairn_real *y)
+{
+    cairn_room room;
+    cairn_outline outline;
+    cairn_offset far_x = 0, far_y = 0;
+    cairn_shape_outline(shape, room.corner, &outline);
+    for (int i = 0; i < outline.count; i++) {
+        cairn_offset2 v = cairn_offset2_turned(outline.vertex[i], c, s);
+        v.x = v.x < 0 ? -v.x : v.x;
+        v.y = v.y < 0 ? -v.y : v.y;
+        far_x = v.x > far_x ? v.x : far_x;
+        far_y = v.y > far_y ? v.y : far_y;
+    }
+    *x = cairn_real_above_offset(far_x);
+    *y = cairn_real_above_offset(far_y);
+}

@@ -265,4 +265,4 @@ static void solve(cairn_world *world)
     }
 }
 
-const cairn_solver_class cairn_solver_soft = { solve };
+const cairn_solver_class cairn_solver_soft = { solve, CAIRN_SOLVER_SOFT };

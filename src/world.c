@@ -13,7 +13,7 @@ static cairn_diffused gravity_of(const cairn_world *world, cairn_real gravity, c
 /* At most 0.035 m a sub-step: the limit of speed is far. */
 CAIRN_ONCE cairn_diffused first_gravity(cairn_real gravity)
 {
-    const cairn_wide squared = CAIRN_WIDE_SCALED(2443359174.0 / 4294967296, -15);
+    const cairn_wide squared = CAIRN_WIDE_SCALED(2443359174.0 / 4294967296, CAIRN_WITH_SOFT_SOLVER ? -15 : -11);
     return cairn_diffused_of_short(gravity, squared);
 }
 
@@ -73,9 +73,8 @@ static void rescale(cairn_world *world, cairn_wide old)
 /* The classes and the settings of the start, as far as the build has others. */
 static void begin_with(cairn_world *world, const cairn_solver_class *solver, const cairn_continuous_class *continuous)
 {
-    if (CAIRN_WITH_SLIDES_SOLVER) {
+    if (CAIRN_HAS_SOLVERS > 1) {
         world->solver = solver;
-        world->passes = 10;
     }
     if (CAIRN_WITH_CONTINUOUS) {
         world->continuous = continuous;
@@ -86,7 +85,11 @@ static void begin_with(cairn_world *world, const cairn_solver_class *solver, con
     if (CAIRN_WITH_SETTINGS) {
         world->rate = CAIRN_F(60);
         world->push_out = CAIRN_F(3);
-        world->substeps = 4;
+        world->passes = CAIRN_FIRST_PASSES;
+        world->substeps = cairn_world_is_soft(world) ? 4 : 1;
+    }
+    if (!cairn_world_is_soft(world)) {
+        world->slop = CAIRN_HARD_SLOP;
     }
 }
 
@@ -101,7 +104,7 @@ cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec
     if (storage == NULL || storage->world == NULL || storage->bodies == NULL || storage->arbiters == NULL || storage->order == NULL
         || storage->swept == NULL || storage->sorted == NULL || solver == NULL || storage->body_capacity == 0 || storage->arbiter_capacity == 0
         || storage->body_capacity > 65000 || storage->arbiter_capacity > 65000 || (!CAIRN_WITH_CONTINUOUS && continuous != NULL)
-        || (!CAIRN_WITH_SLIDES_SOLVER && solver != &cairn_solver_soft)) {
+        || !cairn_solver_is_known(solver)) {
         return NULL;
     }
     cairn_world *world = storage->world;
@@ -262,7 +265,10 @@ cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_secon
 
 cairn_status cairn_world_set_substeps(cairn_world *world, int substeps)
 {
-    cairn_status status = may_change(world, substeps >= 1 && substeps <= 16, substeps == 4);
+    cairn_status status = may_change(world, substeps >= 1 && substeps <= 16, substeps == CAIRN_FIRST_SUBSTEPS);
+    if (status == CAIRN_OK && substeps > 1 && !cairn_world_is_soft(world)) {
+        return cairn_fail(world, CAIRN_ERROR_KIND);
+    }
     if (CAIRN_WITH_SETTINGS && status == CAIRN_OK) {
         cairn_wide old = world->substep;
         world->substeps = (uint8_t)substeps;

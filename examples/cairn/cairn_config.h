@@ -3,6 +3,7 @@
 #define CAIRN_WITH_CONTINUOUS 0
 #define CAIRN_WITH_BLOCKS 0
 #define CAIRN_WITH_SLIDES_SOLVER 0
+#define CAIRN_WITH_SMALL_SOLVER 0
 #define CAIRN_WITH_SENSORS 0
 
 /* And what it takes at -Os for the worst frame's sake: 1.5 KB of flash for 21,000 instructions of 825,000. */

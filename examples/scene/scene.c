@@ -1,6 +1,19 @@
 /* Builds a world from a scene table: the same function on the host and in firmware. */
 #include "scene.h"
 
+/* Sub-steps are the soft solver's: the others have none. */
+static cairn_status use_solver(const cairn_scene *scene, cairn_world *world)
+{
+    switch (scene->solver) {
+    case CAIRN_SCENE_SLIDES:
+        return cairn_world_use_slides_solver(world, scene->passes);
+    case CAIRN_SCENE_SMALL:
+        return cairn_world_use_small_solver(world, scene->passes);
+    default:
+        return cairn_world_set_substeps(world, scene->substeps);
+    }
+}
+
 static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_storage *storage, cairn_world *world)
 {
     cairn_status status = cairn_world_set_gravity(world, scene->gravity);
@@ -8,10 +21,7 @@ static cairn_status settle_world(const cairn_scene *scene, const cairn_scene_sto
         status = cairn_world_set_rate(world, scene->rate);
     }
     if (status == CAIRN_OK) {
-        status = cairn_world_set_substeps(world, scene->substeps);
-    }
-    if (status == CAIRN_OK && scene->solver == CAIRN_SCENE_SLIDES) {
-        status = cairn_world_use_slides_solver(world, scene->passes);
+        status = use_solver(scene, world);
     }
     if (status == CAIRN_OK && scene->broad == CAIRN_SCENE_QUADTREE) {
         status = storage->tree == NULL ? CAIRN_ERROR_NULL : cairn_quadtree_enable(world, storage->tree, cairn_vec2_of(0, 0), 6, 6);

@@ -28,7 +28,7 @@ typedef struct cairn_scene_spring {
     bool no_contact;
 } cairn_scene_spring;
 
-typedef enum cairn_scene_solver { CAIRN_SCENE_SOFT, CAIRN_SCENE_SLIDES } cairn_scene_solver;
+typedef enum cairn_scene_solver { CAIRN_SCENE_SOFT, CAIRN_SCENE_SLIDES, CAIRN_SCENE_SMALL } cairn_scene_solver;
 typedef enum cairn_scene_broad { CAIRN_SCENE_PAIRS, CAIRN_SCENE_QUADTREE } cairn_scene_broad;
 
 typedef struct cairn_scene {

@@ -198,7 +198,11 @@ static int choice(reader *r, const cJSON *object, const char *place, const char 
         }
     }
     char what[80];
-    snprintf(what, sizeof what, "must be \"%s\" or \"%s\"", choices[0], choices[1]);
+    int length = 0;
+    for (int k = 0; choices[k] != NULL; k++) {
+        const char *joint = k == 0 ? "" : choices[k + 1] == NULL ? " or " : ", ";
+        length += snprintf(what + length, sizeof what - (size_t)length, "%s\"%s\"", k == 0 ? "must be " : joint, choices[k]);
+    }
     fail(r, place, name, what);
     return 0;
 }
@@ -578,7 +582,7 @@ static void read_settings(reader *r)
 {
     static const char *const known[] = {"cairn_scene", "name", "gravity", "steps_per_second", "substeps", "solver", "passes",
                                         "broad_phase", "sleep", "materials", "shapes", "bodies", "springs", NULL};
-    static const char *const solvers[] = {"soft", "slides", NULL};
+    static const char *const solvers[] = {"soft", "slides", "small", NULL}; /* in the order of cairn_scene_solver */
     static const char *const broad_phases[] = {"pairs", "quadtree", NULL};
     cairn_scene *table = &r->file->table;
     only(r, r->root, "", known);
@@ -602,7 +606,7 @@ static void read_settings(reader *r)
     table->rate = CAIRN_F(integer(r, r->root, "", "steps_per_second", (range){10, 2000, 60}));
     table->substeps = (uint8_t)integer(r, r->root, "", "substeps", (range){1, 16, 4});
     table->passes = (uint8_t)integer(r, r->root, "", "passes", (range){1, 100, 10});
-    table->solver = choice(r, r->root, "", "solver", solvers) == 1 ? CAIRN_SCENE_SLIDES : CAIRN_SCENE_SOFT;
+    table->solver = (cairn_scene_solver)choice(r, r->root, "", "solver", solvers);
     table->broad = choice(r, r->root, "", "broad_phase", broad_phases) == 1 ? CAIRN_SCENE_QUADTREE : CAIRN_SCENE_PAIRS;
     table->sleep = flag(r, r->root, "", "sleep", false);
 }

@@ -634,6 +634,7 @@ CAIRN_SHARED bool cairn_motions_are_within(cairn_motion x, cairn_motion y, cairn
 /* x into [0, limit] */
 CAIRN_SHARED cairn_motion cairn_motion_above_zero(cairn_motion x, cairn_motion limit)
 {
+    if (CAIRN_SMALL) { return cairn_clamp(x < 0 ? 0 : x, limit); }
     if ((uint32_t)x > (uint32_t)CAIRN_PORT_SHORT(limit)) { return x < 0 ? 0 : x < limit ? x : limit; }
     return x;
 }
@@ -797,12 +798,12 @@ typedef struct cairn_diffused {
 
 /* x * k */
 cairn_diffused cairn_diffused_of(cairn_real x, cairn_wide k);
-/* The same for a k of 2^-76 to 2^-13 that is a constant, and an x of which is known that it fits. */
+/* The same for a k of 2^-76 to 2^-10 that is a constant, and an x of which is known that it fits. */
 static inline cairn_diffused cairn_diffused_of_short(cairn_real x, cairn_wide k)
 {
     uint64_t size = cairn_product((uint32_t)(x < 0 ? -x : x), k.mantissa);
     cairn_diffused d;
-    size = ((size >> (-45 - k.exponent)) + 1) >> 1;
+    size = k.exponent > -45 ? size << (k.exponent + 44) : ((size >> (-45 - k.exponent)) + 1) >> 1;
     size = x < 0 ? 0u - size : size;
     d.whole = (cairn_motion)(uint32_t)(size >> 32);
     d.fraction = (uint32_t)size;

@@ -28,17 +28,11 @@
 #ifndef CAIRN_WITH_CONTINUOUS
 #define CAIRN_WITH_CONTINUOUS 1 /* worlds that watch fast bodies */
 #endif
-#ifndef CAIRN_WITH_BLOCKS
-#define CAIRN_WITH_BLOCKS 1
-#endif
 #ifndef CAIRN_WITH_SLEEP
 #define CAIRN_WITH_SLEEP 1
 #endif
 #ifndef CAIRN_WITH_QUADTREE
 #define CAIRN_WITH_QUADTREE 1
-#endif
-#ifndef CAIRN_WITH_SLIDES_SOLVER
-#define CAIRN_WITH_SLIDES_SOLVER 1
 #endif
 #ifndef CAIRN_WITH_FIXED_POSITION
 #define CAIRN_WITH_FIXED_POSITION 1 /* bodies that turn in their place */
@@ -74,6 +68,23 @@
 #ifndef CAIRN_WITH_SETTINGS
 #define CAIRN_WITH_SETTINGS 1 /* without, the rate, the sub-steps and the push-out stay what they are at first */
 #endif
+/*
+ * Solvers (world.h, solver.h): one at least. Without the soft one there are no blocks, no contacts that hold, no quick ways and no impact phase, at
+ * half of the flash of a game of boxes and polygons; the bits are those of the full build with the same solver. The others have no sub-steps, so that
+ * CAIRN_WITH_SETTINGS 0 allows the soft one alone or none.
+ */
+#ifndef CAIRN_WITH_SOFT_SOLVER
+#define CAIRN_WITH_SOFT_SOLVER 1
+#endif
+#ifndef CAIRN_WITH_SLIDES_SOLVER
+#define CAIRN_WITH_SLIDES_SOLVER (CAIRN_WITH_SOFT_SOLVER && CAIRN_WITH_SETTINGS)
+#endif
+#ifndef CAIRN_WITH_SMALL_SOLVER
+#define CAIRN_WITH_SMALL_SOLVER (!CAIRN_WITH_SOFT_SOLVER || CAIRN_WITH_SETTINGS)
+#endif
+#ifndef CAIRN_WITH_BLOCKS
+#define CAIRN_WITH_BLOCKS CAIRN_WITH_SOFT_SOLVER
+#endif
 /* Circles of more than 15 m of radius. Without them the lengths of springs beyond 32 m are off by up to 1.2 um as well. */
 #ifndef CAIRN_WITH_GIANTS
 #define CAIRN_WITH_GIANTS 1
@@ -100,7 +111,7 @@
  * size has none.
  */
 #ifndef CAIRN_WITH_QUICK_WAYS
-#ifdef __OPTIMIZE_SIZE__
+#if defined(__OPTIMIZE_SIZE__) || !CAIRN_WITH_SOFT_SOLVER
 #define CAIRN_WITH_QUICK_WAYS 0
 #else
 #define CAIRN_WITH_QUICK_WAYS 1
@@ -111,7 +122,7 @@
  * fall. It only saves time, too, at 1.4 KB: without it the bits are the same. A build for size has none.
  */
 #ifndef CAIRN_WITH_SHORTCUTS
-#ifdef __OPTIMIZE_SIZE__
+#if defined(__OPTIMIZE_SIZE__) || !CAIRN_WITH_SOFT_SOLVER
 #define CAIRN_WITH_SHORTCUTS 0
 #else
 #define CAIRN_WITH_SHORTCUTS 1
@@ -123,7 +134,7 @@
  * the full build's; the same on every target.
  */
 #ifndef CAIRN_WITH_HOLD
-#define CAIRN_WITH_HOLD 1
+#define CAIRN_WITH_HOLD CAIRN_WITH_SOFT_SOLVER
 #endif
 /* Most points of a contact: 2, or 1 where all that moves is round, which takes a third off an arbiter. */
 #ifndef CAIRN_MAX_POINTS
@@ -133,7 +144,8 @@
 #define CAIRN_IS_FLAG(option) ((option) == 0 || (option) == 1)
 #if !CAIRN_IS_FLAG(CAIRN_WITH_SPRINGS) || !CAIRN_IS_FLAG(CAIRN_WITH_BOUNCE) || !CAIRN_IS_FLAG(CAIRN_WITH_CONTINUOUS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_BLOCKS) || !CAIRN_IS_FLAG(CAIRN_WITH_SLEEP) || !CAIRN_IS_FLAG(CAIRN_WITH_QUADTREE) \
-    || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_SOFT_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_SLIDES_SOLVER) || !CAIRN_IS_FLAG(CAIRN_WITH_SMALL_SOLVER) \
+    || !CAIRN_IS_FLAG(CAIRN_WITH_FIXED_POSITION) || !CAIRN_IS_FLAG(CAIRN_WITH_SENSORS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_DAMPING) || !CAIRN_IS_FLAG(CAIRN_WITH_QUICK_WAYS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_SHORTCUTS) || !CAIRN_IS_FLAG(CAIRN_WITH_HOLD) || !CAIRN_IS_FLAG(CAIRN_WITH_POLYGONS) \
     || !CAIRN_IS_FLAG(CAIRN_WITH_FRICTION) || !CAIRN_IS_FLAG(CAIRN_WITH_TURNING) || !CAIRN_IS_FLAG(CAIRN_WITH_SLOPES) \
@@ -144,6 +156,15 @@
 #endif
 #if CAIRN_MAX_POINTS != 1 && CAIRN_MAX_POINTS != 2
 #error "CAIRN_MAX_POINTS must be 1 or 2"
+#endif
+#if !CAIRN_WITH_SOFT_SOLVER && !CAIRN_WITH_SLIDES_SOLVER && !CAIRN_WITH_SMALL_SOLVER
+#error "one of CAIRN_WITH_SOFT_SOLVER, CAIRN_WITH_SLIDES_SOLVER and CAIRN_WITH_SMALL_SOLVER must be 1"
+#endif
+#if !CAIRN_WITH_SOFT_SOLVER && (CAIRN_WITH_BLOCKS || CAIRN_WITH_HOLD || CAIRN_WITH_SHORTCUTS || CAIRN_WITH_QUICK_WAYS)
+#error "CAIRN_WITH_SOFT_SOLVER 0 needs CAIRN_WITH_BLOCKS, CAIRN_WITH_HOLD, CAIRN_WITH_SHORTCUTS and CAIRN_WITH_QUICK_WAYS 0"
+#endif
+#if !CAIRN_WITH_SETTINGS && CAIRN_WITH_SOFT_SOLVER && (CAIRN_WITH_SLIDES_SOLVER || CAIRN_WITH_SMALL_SOLVER)
+#error "CAIRN_WITH_SETTINGS 0 needs CAIRN_WITH_SOFT_SOLVER alone, or 0: the others have no sub-steps"
 #endif
 #if CAIRN_MAX_POINTS == 1 && CAIRN_WITH_BLOCKS
 #error "CAIRN_MAX_POINTS 1 needs CAIRN_WITH_BLOCKS 0"

@@ -28,14 +28,20 @@ typedef struct cairn_material {
     cairn_factor static_friction, kinetic_friction;
     cairn_factor restitution;
     cairn_real threshold;
-    const cairn_bounce_class *bounce; /* &cairn_bounce where restitution > 0, or impacts are to keep momentum exactly; else null */
+    const cairn_bounce_class *bounce; /* CAIRN_BOUNCE_CLASS where restitution > 0, or impacts are to keep momentum exactly; else null */
 } cairn_material;
 
+/* What a material that bounces names: nothing where there is no soft solver, since the others have restitution of their own. */
+#if CAIRN_WITH_SOFT_SOLVER
+#define CAIRN_BOUNCE_CLASS &cairn_bounce
+#else
+#define CAIRN_BOUNCE_CLASS NULL
+#endif
 /* Initialisers from plain numbers. */
 #define CAIRN_MATERIAL(static_friction, kinetic_friction) \
     { CAIRN_FACTOR(static_friction), CAIRN_FACTOR(kinetic_friction), 0, 0, NULL }
 #define CAIRN_MATERIAL_BOUNCING(static_friction, kinetic_friction, restitution, threshold) \
-    { CAIRN_FACTOR(static_friction), CAIRN_FACTOR(kinetic_friction), CAIRN_FACTOR(restitution), CAIRN_F(threshold), &cairn_bounce }
+    { CAIRN_FACTOR(static_friction), CAIRN_FACTOR(kinetic_friction), CAIRN_FACTOR(restitution), CAIRN_F(threshold), CAIRN_BOUNCE_CLASS }
 
 extern const cairn_material cairn_material_default; /* 0.5, 0.4, no rebound */
 extern const cairn_material cairn_material_ice;     /* 0.05, 0.02, no rebound */

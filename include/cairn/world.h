@@ -1,7 +1,7 @@
 /*
  * The world: bodies, arbiters, gravity and time. The game declares its memory with CAIRN_WORLD; the library owns none.
  * What a world can do beyond bodies and contacts is added by a call: springs (spring.h), the quadtree (quadtree.h),
- * sleep (sleep.h), blocks for heavy bodies on light ones (block.h), the slides' solver (solver.h). What is not called is not linked.
+ * sleep (sleep.h), blocks for heavy bodies on light ones (block.h), other solvers (solver.h). What is not called is not linked.
  */
 #ifndef CAIRN_WORLD_H
 #define CAIRN_WORLD_H
@@ -19,9 +19,12 @@ struct cairn_spring_pool;
 struct cairn_quadtree;
 struct cairn_block;
 
+typedef enum cairn_solver_kind { CAIRN_SOLVER_SOFT, CAIRN_SOLVER_SLIDES, CAIRN_SOLVER_SMALL } cairn_solver_kind;
+
 /* How constraints are solved, given the arbiters of this step: from velocities and forces to new poses. */
 typedef struct cairn_solver_class {
     void (*solve)(struct cairn_world *world);
+    cairn_solver_kind kind;
 } cairn_solver_class;
 
 /* How pairs are found: calls cairn_arbiter_pair() once for every pair of bodies whose boxes overlap. */
@@ -114,19 +117,20 @@ typedef struct cairn_world {
     uint16_t *expected; /* says which is likely to be found next: first_found, or `after` of the last one */
 
     const cairn_solver_class *solver;
-    const cairn_broad_class *broad;
-    const cairn_bounce_class *bounce;
-    const cairn_sleep_class *sleep;
     const cairn_continuous_class *continuous;
-
+    cairn_real slop;
     cairn_motion push_out_limit;               /* the same as push_out, in metres per sub-step */
     cairn_motion speed_limit;                  /* of spins, too; metres per sub-step */
     cairn_motion rest_limit;                   /* slower bodies may be calmed, see motion.c */
-    cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_diffused gravity_x, gravity_y;       /* g h^2 */
+
+    const cairn_broad_class *broad;
+    const cairn_bounce_class *bounce;
+    const cairn_sleep_class *sleep;
+    cairn_wide substep, inverse_substep;       /* h and 1/h */
     cairn_vec2 gravity;
     cairn_real rate; /* steps per second */
-    cairn_real slop, push_out;
+    cairn_real push_out;
 
     struct cairn_block *block; /* null: without, see block.h */
     struct cairn_spring_pool *springs;
@@ -161,6 +165,7 @@ typedef struct cairn_world_storage {
     (sizeof(cairn_world) + (body_count) * (sizeof(cairn_body) + sizeof(uint16_t)) + (arbiter_count) * (sizeof(cairn_arbiter) + 2 * sizeof(uint16_t)))
 
 extern const cairn_solver_class cairn_solver_soft;
+extern const cairn_solver_class cairn_solver_slides, cairn_solver_small; /* solver.h tells of them */
 
 /*
  * Make an empty world with a solver of your choice, and with continuous collision (&cairn_continuous) or, where nothing
@@ -169,10 +174,14 @@ extern const cairn_solver_class cairn_solver_soft;
 cairn_world *cairn_world_init_with(const cairn_world_storage *storage, cairn_vec2 gravity, const cairn_solver_class *solver,
                                    const cairn_continuous_class *continuous);
 
-/* Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). */
+/*
+ * Make an empty world: 60 steps a second, 4 sub-steps, gravity in m/s^2 (each component -2000 to 2000). A build without the soft solver has the small
+ * one here, or the slides' if that is all it has.
+ */
 static inline cairn_world *cairn_world_init(const cairn_world_storage *storage, cairn_vec2 gravity)
 {
-    return cairn_world_init_with(storage, gravity, &cairn_solver_soft, CAIRN_WITH_CONTINUOUS ? &cairn_continuous : NULL);
+    const cairn_solver_class *hard = CAIRN_WITH_SMALL_SOLVER ? &cairn_solver_small : &cairn_solver_slides;
+    return cairn_world_init_with(storage, gravity, CAIRN_WITH_SOFT_SOLVER ? &cairn_solver_soft : hard, CAIRN_WITH_CONTINUOUS ? &cairn_continuous : NULL);
 }
 
 /* Advance by one step, 1 / rate seconds. Does nothing (CAIRN_ERROR_LOCKED) inside a callback. */

@@ -25,6 +25,7 @@ void test_what_enables_a_feature_is_refused(void)
     TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_KIND, cairn_blocks_enable(world, &blocks));
     TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_KIND, cairn_sleep_enable(world));
     TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_KIND, cairn_world_use_slides_solver(world, 10));
+    TEST_ASSERT_EQUAL_INT(CAIRN_ERROR_KIND, cairn_world_use_small_solver(world, 10));
     cairn_spring_def def = cairn_spring_def_default(put(&ball, 0, 0), put(&ball, CAIRN_F(3), 0));
     TEST_ASSERT_TRUE(cairn_spring_id_is_null(cairn_spring_create(world, &def)));
 }

@@ -142,12 +142,13 @@ static cairn_real any_rate(void)
 /* What is mostly asked for when a world is opened, in the middle of it. */
 static void enable(void)
 {
-    switch (below(6)) {
+    switch (below(7)) {
     case 0: (void)cairn_springs_enable(world, any.wide ? &any_many : &any_few); break;
     case 1: (void)cairn_meshes_enable(world, any.wide ? &any_large_nets : &any_nets); break;
     case 2: find_pairs_by_tree(); break;
     case 3: (void)cairn_blocks_enable(world, &any_blocks); break;
     case 4: (void)cairn_world_use_slides_solver(world, (int)below(20)); break;
+    case 5: (void)cairn_world_use_small_solver(world, (int)below(20)); break;
     default: (void)cairn_sleep_enable(world); break;
     }
 }

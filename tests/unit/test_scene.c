@@ -123,6 +123,19 @@ void test_a_scene_chooses_solver_broad_phase_and_sleep(void)
     ASSERT_NEAR(0.02, 0.5, y_of(ids[1]));
 }
 
+void test_a_scene_chooses_the_small_solver_and_its_passes(void)
+{
+    scene.solver = CAIRN_SCENE_SMALL;
+    scene.passes = 7;
+    scene.substeps = 1;
+    build();
+    TEST_ASSERT_EQUAL_PTR(&cairn_solver_small, world->solver);
+    TEST_ASSERT_EQUAL_UINT8(7, world->passes);
+    scene.substeps = 4; /* are the soft solver's */
+    build();
+    TEST_ASSERT_EQUAL_UINT8(1, world->substeps);
+}
+
 void test_a_spring_may_be_given_by_its_frequency(void)
 {
     springs[0].frequency = CAIRN_F(2);
@@ -166,6 +179,8 @@ void test_bad_settings_are_refused(void)
     scene.substeps = 4;
     scene.solver = CAIRN_SCENE_SLIDES;
     scene.passes = 0;
+    assert_refused(CAIRN_ERROR_RANGE, -1);
+    scene.solver = CAIRN_SCENE_SMALL;
     assert_refused(CAIRN_ERROR_RANGE, -1);
 }
 

@@ -16,6 +16,8 @@ static const cairn_continuous_class *const continuous = NULL;
 #endif
 #if WITH_SLIDES
 static const cairn_solver_class *const solver = &cairn_solver_slides;
+#elif WITH_SMALL
+static const cairn_solver_class *const solver = &cairn_solver_small;
 #else
 static const cairn_solver_class *const solver = &cairn_solver_soft;
 #endif

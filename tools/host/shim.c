@@ -220,6 +220,7 @@ int shim_set_slop(shim_world *w, double slop) { return cairn_world_set_slop(w->w
 int shim_set_push_out(shim_world *w, double speed) { return cairn_world_set_push_out(w->world, real_of(speed)); }
 int shim_set_sleep(shim_world *w, int on) { return on ? cairn_sleep_enable(w->world) : cairn_sleep_disable(w->world); }
 int shim_use_slides_solver(shim_world *w, int passes) { return cairn_world_use_slides_solver(w->world, passes); }
+int shim_use_small_solver(shim_world *w, int passes) { return cairn_world_use_small_solver(w->world, passes); }
 int shim_use_quadtree(shim_world *w, double x, double y, int size_log2, int depth)
 {
     return cairn_quadtree_enable(w->world, &w->tree, pair_of(x, y), size_log2, depth);

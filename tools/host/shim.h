@@ -33,6 +33,7 @@ SHIM int shim_set_slop(shim_world *w, double slop);
 SHIM int shim_set_push_out(shim_world *w, double speed);
 SHIM int shim_set_sleep(shim_world *w, int on);
 SHIM int shim_use_slides_solver(shim_world *w, int passes);
+SHIM int shim_use_small_solver(shim_world *w, int passes);
 SHIM int shim_use_quadtree(shim_world *w, double x, double y, int size_log2, int depth);
 SHIM double shim_speed_limit(const shim_world *w);
 

@@ -55,6 +55,8 @@ bool peer_use_blocks(void) { return cairn_blocks_enable(world, cairn_the_scene_s
 
 bool peer_use_slides(void) { return cairn_world_use_slides_solver(world, cairn_the_scene.passes) == CAIRN_OK; }
 
+bool peer_use_small(void) { return cairn_world_use_small_solver(world, cairn_the_scene.passes) == CAIRN_OK; }
+
 bool peer_build(peer_wish wish)
 {
     (void)wish;

@@ -12,6 +12,7 @@ bool peer_use_springs(void);
 bool peer_use_quadtree(void);
 bool peer_use_blocks(void);
 bool peer_use_slides(void);
+bool peer_use_small(void);
 
 /* Ended by null; written by tools/cairn_tools/peers.py behind the table of `tools/cairn table`. */
 extern const peer_feature peer_features[];

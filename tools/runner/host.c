@@ -80,7 +80,7 @@ int main(int count, char **words)
         }
     }
     if (count < 2) {
-        fprintf(stderr, "usage: %s SCENE.json|- [steps=N] [every=K] [costs=1] [contacts=1] [solver=soft|slides] [substeps=N] [passes=N]\n", words[0]);
+        fprintf(stderr, "usage: %s SCENE.json|- [steps=N] [every=K] [costs=1] [contacts=1] [solver=soft|slides|small] [substeps=N] [passes=N]\n", words[0]);
         return BAD_CALL;
     }
     cairn_port_init();

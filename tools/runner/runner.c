@@ -78,6 +78,8 @@ bool runner_options_take(runner_options *options, const char *word)
         options->solver = CAIRN_SCENE_SOFT;
     } else if (is_word(word, "solver=slides")) {
         options->solver = CAIRN_SCENE_SLIDES;
+    } else if (is_word(word, "solver=small")) {
+        options->solver = CAIRN_SCENE_SMALL;
     } else if (is_word(word, "broad=pairs")) {
         options->broad = CAIRN_SCENE_PAIRS;
     } else if (is_word(word, "broad=quadtree")) {

@@ -21,7 +21,7 @@
 #include "scene_play.h"
 
 /*
- * What a run is asked for, in words: steps=600 every=10 costs=1 contacts=1 solver=slides substeps=8 passes=20 rate=120
+ * What a run is asked for, in words: steps=600 every=10 costs=1 contacts=1 solver=small substeps=8 passes=20 rate=120
  * broad=quadtree sleep=1. A tree needs the memory of a scene that has one.
  */
 typedef struct runner_options {

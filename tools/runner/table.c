@@ -41,7 +41,7 @@ static void materials(const cairn_scene *scene)
         const cairn_material *m = &scene->materials[i];
         printf("    { %ld, %ld, %ld, ", (long)m->static_friction, (long)m->kinetic_friction, (long)m->restitution);
         real(m->threshold);
-        printf(", %s }, /* %.4g %.4g %.4g */\n", m->bounce == NULL ? "NULL" : "&cairn_bounce", m->static_friction / 1048576.0,
+        printf(", %s }, /* %.4g %.4g %.4g */\n", m->bounce == NULL ? "NULL" : "CAIRN_BOUNCE_CLASS", m->static_friction / 1048576.0,
                m->kinetic_friction / 1048576.0, m->restitution / 1048576.0);
     }
     printf("};\n\n");
@@ -156,12 +156,13 @@ static void lists(const cairn_scene *scene)
 
 static void scene_itself(const cairn_scene *scene, const char *name)
 {
+    static const char *const solvers[] = {"CAIRN_SCENE_SOFT", "CAIRN_SCENE_SLIDES", "CAIRN_SCENE_SMALL"};
     printf("extern const cairn_scene %s;\nconst cairn_scene %s = {\n    .name = \"%s\",\n    ", name, name, scene->name);
     pair("gravity", scene->gravity);
     printf(",\n    .rate = ");
     real(scene->rate);
     printf(",\n    .substeps = %u,\n    .passes = %u,\n", scene->substeps, scene->passes);
-    printf("    .solver = %s,\n", scene->solver == CAIRN_SCENE_SLIDES ? "CAIRN_SCENE_SLIDES" : "CAIRN_SCENE_SOFT");
+    printf("    .solver = %s,\n", solvers[scene->solver]);
     printf("    .broad = %s,\n", scene->broad == CAIRN_SCENE_QUADTREE ? "CAIRN_SCENE_QUADTREE" : "CAIRN_SCENE_PAIRS");
     printf("    .sleep = %s,\n", truth(scene->sleep));
     printf("    .material_count = %u,\n    .shape_count = %u,\n    .model_count = %u,\n    .body_count = %u,\n    .spring_count = %u,\n",
