@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from cairn_tools import bench, engine, kept, memory, profile, scene
@@ -19,6 +20,14 @@ def test_the_functions_add_up_to_the_step(stack: scene.Scene) -> None:
     # The step's own count begins before the call and ends behind it.
     assert sum(shares.functions.values()) == pytest.approx(cost.mean_instructions, rel=1e-3)
     assert sum(shares.stages.values()) == pytest.approx(sum(shares.functions.values()))
+
+
+def test_a_profile_is_of_the_solver_that_is_asked_for(stack: scene.Scene) -> None:
+    small = replace(stack, solver="small", passes=4)
+    shares = profile.measure(small, "m3", 1, 30)
+    costs = engine.run(small, "q16", "m3", 30, 0).costs
+    assert sum(shares.functions.values()) == pytest.approx(sum(costs) / 30, rel=1e-3)
+    assert not any(name.startswith(("biased", "relax")) for name in shares.functions)
 
 
 def test_every_stage_of_a_step_is_seen(stack: scene.Scene) -> None:

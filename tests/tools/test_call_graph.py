@@ -45,7 +45,7 @@ def test_a_pointer_must_be_known_and_lead_somewhere(tmp_path: Path) -> None:
     place = f"src/world.c:{number}:1"
     with pytest.raises(engine.EngineError, match="solver_soft:solve"):
         graph_of(tmp_path, node("top", 16), edge("top", "__indirect_call", place))
-    solvers = [node("src/solver_soft.c:solve", 100), node("src/solver_slides.c:solve.part.0", 120)]
+    solvers = [node("src/solver_soft.c:solve", 100), node("src/solver_small.c:solve.part.0", 120)]
     graph = graph_of(tmp_path, node("top", 16), *solvers, edge("top", "__indirect_call", place))
     assert graph.depth("top")[0] == 136
 

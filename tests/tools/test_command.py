@@ -84,9 +84,13 @@ def test_the_hash_alone_is_that_of_the_json() -> None:
 def test_settings_of_the_command_line_change_the_run() -> None:
     hashes = {
         printed("run", "boxes3", "--steps", 60, "--hash", *settings)
-        for settings in ([], ["--substeps", 8], ["--solver", "slides"], ["--solver", "slides", "--passes", 20])
+        for settings in (
+            [],
+            ["--substeps", 8],
+            *(["--solver", solver, *more] for solver in ("slides", "small") for more in ([], ["--passes", 20])),
+        )
     }
-    assert len(hashes) == 4
+    assert len(hashes) == 6
 
 
 def test_pictures_are_written(tmp_path: Path) -> None:
@@ -132,7 +136,8 @@ def test_pictures_are_written(tmp_path: Path) -> None:
         (["table", "tower", "--out", "t.c", "--name", "int"], "no name in C"),
         (["run", "tower", "--steps", "1", "--gif", "/proc/a.gif"], "/proc/a.gif"),
         (["run", "tower", "--json", "--hash"], "--json"),
-        (["run", "tower", "--passes", "5"], "--solver slides"),
+        (["run", "tower", "--passes", "5"], "--solver slides or small"),
+        (["run", "tower", "--solver", "hard"], "'small'"),
         (["run", "recorded.jsonl"], "recorded.jsonl"),
         (["bench", "--core"], "requires an argument"),
         (["bench", "--scene", "tower", "--keep"], "take no other option"),

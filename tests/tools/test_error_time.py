@@ -75,8 +75,9 @@ def test_settings_hold_the_default_and_each_of_its_neighbours() -> None:
     own = Settings.of(loaded)
     assert own.quadtree and own in settings
     assert {replace(own, sleep=True), replace(own, quadtree=False), replace(own, substeps=16)} <= set(settings)
-    assert len(settings) == len(set(settings)) == 28
-    assert len({s.label for s in settings}) == 28
+    assert {replace(own, solver="small", passes=n, quadtree=True) for n in error_time.PASSES} <= set(settings)
+    assert len(settings) == len(set(settings)) == 34
+    assert len({s.label for s in settings}) == 34
 
 
 def test_a_scene_without_those_frames_is_refused() -> None:
@@ -119,6 +120,7 @@ def test_tables_and_json_hold_every_point() -> None:
 
 def test_the_plot_is_a_file_a_scene(tmp_path: Path) -> None:
     points = [row(2, 3.0), row(5, 2.0, substeps=8), row(20, 4.0, "chipmunk"), row(30, math.inf, "box2d")]
+    points += [row(3, 9.0, solver="small"), row(3, 9.5, solver="slides")]
     (file,) = plot.write(points, tmp_path)
     assert file.name == "error-time-pair.png" and file.stat().st_size > 10_000
 

@@ -56,10 +56,22 @@ def test_a_ball_in_a_game_of_boxes_is_a_stranger() -> None:
     assert footprint.strangers(boxes.features, {"area": "shape_circle.c"}) == ["area"]
 
 
+def test_nothing_of_the_soft_solver_nor_its_bounces_is_in_a_game_without_it() -> None:
+    small = [entry for entry in SETS if footprint.WITHOUT_SOFT in entry.options]
+    assert {entry.name for entry in small} == {"shapes_small", "balls_walls_small", "everything_small"}
+    for entry in small:
+        for file in ("solver_soft", "sweep", "sweep_careful", "sweep_quick", "slide", "hold", "idle",
+                     "bounce", "bounce_meet", "bounce_strike"):  # fmt: skip
+            assert footprint.strangers(entry.features, {"planted": f"{file}.c"}, entry.options) == ["planted"]
+        assert footprint.strangers(entry.features, {"solve": "solver_small.c"}, entry.options) == []
+    shapes = next(entry for entry in SETS if entry.name == "shapes")
+    assert footprint.strangers(shapes.features, {"solve": "solver_soft.c", "meet": "bounce.c"}, shapes.options) == []
+
+
 def test_a_table_is_known_by_the_file_that_defines_it() -> None:
     known = footprint.constant_names()
     assert known["cairn_polygon_class"] == "shape_polygon.c"
-    assert known["cairn_solver_slides"] == "solver_slides.c"
+    assert known["cairn_solver_slides"] == known["cairn_solver_small"] == "solver_small.c"
 
 
 def test_each_file_of_the_engine_is_of_a_feature_or_of_the_core() -> None:

@@ -4,6 +4,7 @@ import json
 import math
 import random
 import subprocess
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -37,6 +38,25 @@ def test_a_bad_field_is_refused_in_one_line_that_leads_to_it(path: str, value: A
     place = line.split(": ")[1]
     not_json = "not JSON" in line and not isinstance(value, str) and not all(map(math.isfinite, value))
     assert where.startswith(place) or not_json, line
+
+
+@pytest.mark.parametrize("solver", scene.SOLVERS)
+def test_every_solver_is_read_written_and_the_runners_word(solver: str, tmp_path: Path) -> None:
+    text = json.dumps(changed("solver", solver) | {"springs": []})
+    assert loader(text).returncode == 0
+    file = tmp_path / "scene.json"
+    file.write_text(text, encoding="utf-8")
+    table = engine.table(scene.load(file), "it")
+    assert f".solver = CAIRN_SCENE_{solver.upper()}," in table
+    run = [engine.host_program("host", "cairn-runner"), "-", "steps=60"]
+    of_file = subprocess.run(run, input=text, capture_output=True, text=True, check=True)
+    of_word = subprocess.run([*run, f"solver={solver}"], input=json.dumps(changed("solver", "soft") | {"springs": []}),
+                             capture_output=True, text=True, check=True)  # fmt: skip
+    assert of_word.stdout == of_file.stdout
+
+
+def test_what_no_solver_is_called_is_told_with_their_names() -> None:
+    assert '"soft", "slides" or "small"' in loader(json.dumps(changed("solver", "hard"))).stderr
 
 
 def test_a_scene_in_tatters_is_refused_or_read_and_nothing_worse() -> None:

@@ -79,6 +79,7 @@ def test_cairn_links_only_what_a_scene_uses(stack: scene.Scene) -> None:
     assert "{peer_use_springs, NULL}" in peers.features(scene_of("curtain150"), "")
     both = replace(stack, solver="slides", broad_phase="quadtree")
     assert "{peer_use_quadtree, peer_use_slides, NULL}" in peers.features(both, "")
+    assert "{peer_use_small, NULL}" in peers.features(replace(stack, solver="small"), "")
     assert "{peer_use_blocks, NULL}" in peers.features(stack, "CAIRN_BLOCKS(world_blocks);")
 
 

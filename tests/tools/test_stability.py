@@ -4,12 +4,13 @@ import json
 import math
 import subprocess
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from cairn_tools import engine, host, scene
-from cairn_tools.stability import fast, measure, model
+from cairn_tools.stability import command, fast, measure, model, report
 from cairn_tools.stability.cases import CASES
 from cairn_tools.stability.hold import HOLD
 
@@ -33,6 +34,35 @@ def test_what_held_once_holds(held: str) -> None:
 def test_the_scenes_of_the_slides_stack_fall_under_the_slides_scheme() -> None:
     for name in ("scene-stack10", "scene-tower", "scene-pyramid10", "scene-stack20"):
         assert not model.run(name, "q16", "slides").ok, name
+
+
+@pytest.mark.parametrize("arithmetic", model.ENGINES)
+def test_what_falls_under_the_slides_scheme_stands_under_the_small_solver(arithmetic: str) -> None:
+    for name in ("scene-stack10", "scene-tower", "scene-pyramid10"):
+        result = model.run(name, arithmetic, "small")
+        assert result.ok and not result.decides, name
+
+
+def test_a_row_is_under_the_other_solvers_too_where_they_may_fall() -> None:
+    assert command.jobs("all", ["scene-stack20"], ["q16"], []) == [
+        ("scene-stack20", "q16", solver) for solver in ("soft", "slides", "small")
+    ]
+    falls, holds = (model.Result("scene-tower", "q16", solver, [model.most("a", value, 1.0)], 0.0)
+                    for solver, value in (("slides", 2.0), ("small", 0.5)))  # fmt: skip
+    assert report.closing([falls, holds, holds]).endswith(
+        "; under the slides' scheme 1 of 1 fall; under the small solver 0 of 2 fall"
+    )
+
+
+@pytest.mark.parametrize("arithmetic", model.ENGINES)
+def test_a_scene_file_with_the_small_solver_is_built_as_the_runner_runs_it(arithmetic: str) -> None:
+    loaded = replace(scene.load(scene.find("pyramid10")), solver="small", passes=5)
+    world, bodies = host.build(loaded, arithmetic)
+    world.step(60)
+    wanted = engine.run(loaded, arithmetic, "host", 60, 60)
+    assert np.allclose(world.states(bodies)[:, :2], wanted.trajectory.states[-1][:, :2], rtol=0, atol=2**-16)
+    if arithmetic == "q16":
+        assert world.hash == wanted.hash
 
 
 def test_a_verdict_is_by_the_limits_and_never_by_a_stretch_target() -> None:

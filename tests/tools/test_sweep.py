@@ -52,9 +52,10 @@ def test_every_combination_is_one_row() -> None:
 
 
 def test_settings_that_the_solver_does_not_use_make_no_rows() -> None:
-    jobs = settings.jobs(["stack10"], ["solver=soft,slides", "substeps=2,4", "passes=5,10,20"], [])
+    jobs = settings.jobs(["stack10"], ["solver=soft,slides,small", "substeps=2,4", "passes=5,10,20"], [])
     told = sorted((job.settings.solver, job.settings.substeps, job.settings.passes) for job in jobs)
-    assert told == [("slides", 0, 5), ("slides", 0, 10), ("slides", 0, 20), ("soft", 2, 0), ("soft", 4, 0)]
+    passes = [(solver, 0, n) for solver in ("slides", "small") for n in (5, 10, 20)]
+    assert told == [*passes, ("soft", 2, 0), ("soft", 4, 0)]
 
 
 def test_double_runs_on_no_core() -> None:
@@ -238,7 +239,7 @@ def test_a_bad_call_gives_one_line_and_exit_code_2(arguments: list[str], what: s
         ("gravity=1..2", "whole"),
         ("seed=9..0", "rises"),
         ("sleep=maybe", "on, off"),
-        ("solver=hard", "soft, slides"),
+        ("solver=hard", "soft, slides, small"),
         ("core=m0", "no such parameter"),
         ("height=3", "no such parameter"),
     ],

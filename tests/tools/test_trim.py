@@ -18,14 +18,17 @@ def named(name: str) -> scene.Scene:
 
 
 def needs(*names: str, wish: trim.Wish = WISH) -> trim.Needs:
-    scenes = [named(name) for name in names]
+    return needs_of([named(name) for name in names], wish)
+
+
+def needs_of(scenes: list[scene.Scene], wish: trim.Wish = WISH) -> trim.Needs:
     return trim.needs_of(scenes, [engine.run(one, "q16", "host", wish.steps, 1) for one in scenes], wish)
 
 
 def test_round_bodies_need_one_point_and_only_what_they_use() -> None:
     found = needs("curtain150")
     on = {name for name, value in found.options.items() if name.startswith("CAIRN_WITH") and value}
-    assert on == {"CAIRN_WITH_SPRINGS", "CAIRN_WITH_FRICTION", "CAIRN_WITH_TURNING", "CAIRN_WITH_SORT"}
+    assert on == {f"CAIRN_WITH_{name}" for name in ("SOFT_SOLVER", "SPRINGS", "FRICTION", "TURNING", "SORT")}
     assert found.options["CAIRN_MAX_POINTS"] == 1
     assert found.pools == {"bodies": 150, "arbiters": 1, "springs": 261}
 
@@ -40,6 +43,44 @@ def test_several_scenes_need_what_any_of_them_does() -> None:
 def test_upright_boxes_that_move_need_slopes_where_something_turns() -> None:
     found = needs("stack10").options
     assert (found["CAIRN_WITH_TURNING"], found["CAIRN_WITH_SLOPES"], found["CAIRN_WITH_POLYGONS"]) == (1, 1, 0)
+
+
+SOLVERS = ("SOFT_SOLVER", "SLIDES_SOLVER", "SMALL_SOLVER", "SETTINGS")
+
+
+@pytest.mark.parametrize(
+    ("settings", "wanted"),
+    [
+        ([{}], (1, 0, 0, 0)),
+        ([{"solver": "small"}], (0, 0, 1, 0)),
+        ([{"solver": "slides"}], (0, 1, 0, 0)),
+        ([{"solver": "small", "substeps": 8}], (0, 0, 1, 0)),  # which are the soft solver's
+        ([{"solver": "small", "passes": 5}], (0, 0, 1, 1)),
+        ([{"passes": 5}], (1, 0, 0, 0)),
+        ([{"solver": "small"}, {"solver": "slides"}], (0, 1, 1, 0)),
+        ([{"solver": "small"}, {}], (1, 0, 1, 1)),
+    ],
+)
+def test_a_build_has_the_solvers_of_its_scenes(settings: list[dict[str, object]], wanted: tuple[int, ...]) -> None:
+    found = needs_of([replace(named("stack10"), **changes) for changes in settings])
+    assert tuple(found.options[f"CAIRN_WITH_{name}"] for name in SOLVERS) == wanted
+    accepted(found)
+
+
+def test_blocks_are_of_the_soft_solver() -> None:
+    small = replace(named("heavy100"), solver="small")
+    assert needs_of([named("heavy100")]).options["CAIRN_WITH_BLOCKS"] == 1
+    assert needs_of([small]).options["CAIRN_WITH_BLOCKS"] == 0
+    kept = needs_of([small], replace(WISH, keep=("blocks",)))
+    assert kept.options["CAIRN_WITH_BLOCKS"] == kept.options["CAIRN_WITH_SOFT_SOLVER"] == 1
+    accepted(kept)
+
+
+def accepted(found: trim.Needs) -> None:
+    """By config.h."""
+    command = ["gcc", "-std=c99", "-fsyntax-only", "-x", "c", f"-I{ROOT / 'include'}", "-"]
+    command += [f"-D{name}={value}" for name, value in found.options.items()]
+    subprocess.run(command, input="#include <cairn/cairn.h>\n", text=True, check=True)
 
 
 def test_what_the_user_keeps_stays() -> None:
@@ -61,6 +102,15 @@ def test_sub_steps_are_the_fewest_within_the_tolerance() -> None:
 def test_a_tolerance_that_nothing_holds_is_refused() -> None:
     with pytest.raises(UserError, match="no sub-steps keep it within 1e-12 m"):
         trim.with_substeps(named("projectile"), replace(WISH, tolerance=1e-12), print)
+
+
+def test_another_solver_is_held_to_the_tolerance_as_well() -> None:
+    small = replace(named("stack10"), solver="small")
+    found, error = trim.with_substeps(small, replace(WISH, tolerance=0.03), print)
+    assert found == small
+    assert 0.01 < error <= 0.03  # its slop
+    with pytest.raises(UserError, match=r"the small solver does not keep it within 0.001 m .* it is 0.02"):
+        trim.with_substeps(small, replace(WISH, tolerance=0.001), print)
 
 
 def crowd(folder: Path, count: int) -> Path:
@@ -144,3 +194,21 @@ def test_the_trimmed_tower_and_a_recorded_run_of_it_are_smaller_with_the_same_bi
     assert {file.name for file in (tmp_path / "trimmed").iterdir()} == names
     with pytest.raises(UserError, match="bytes of flash"):
         trim._check_limits([row.after], replace(wish, flash=100))
+
+
+@pytest.mark.parametrize(("solver", "passes"), [("small", 10), ("slides", 6)])
+def test_a_scene_of_another_solver_has_the_same_bits_without_the_soft_one(
+    solver: str, passes: int, tmp_path: Path
+) -> None:
+    """Balls, boxes and polygons that bounce and rub; a third of the flash and more goes."""
+    data = json.loads(scene.find("mixed50").read_text(encoding="utf-8")) | {"solver": solver, "passes": passes}
+    rubber = {"static_friction": 0.5, "kinetic_friction": 0.4, "restitution": 0.6}
+    file = tmp_path / f"{solver}.json"
+    file.write_text(json.dumps(data | {"name": solver, "materials": {"default": rubber}}), encoding="utf-8")
+    loaded = scene.load(file)
+    found, (row,) = trim.trim([loaded], replace(WISH, steps=40), tmp_path / "trimmed", print)
+    assert row.before.hash == row.after.hash == engine.run(loaded, "q16", "host", 40, 0).hash
+    assert row.after.hash != engine.run(replace(loaded, solver="soft"), "q16", "host", 40, 0).hash
+    assert found.options["CAIRN_WITH_SOFT_SOLVER"] == 0
+    assert found.options["CAIRN_WITH_BOUNCE"] == found.options["CAIRN_WITH_POLYGONS"] == 1
+    assert row.flash_saved > 0.33

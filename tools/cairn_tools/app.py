@@ -193,7 +193,7 @@ def stability(
     long: Annotated[bool, typer.Option("--long", help="Only the long ones.")] = False,
     case: Annotated[list[str] | None, typer.Option(help="Names of cases; * stands for anything.")] = None,
     arithmetic: Annotated[list[Arithmetic] | None, typer.Option("--engine", help="Default: q16 f64.")] = None,
-    solver: Annotated[list[Solver] | None, typer.Option(help="Default: soft; slides beside it where it falls.")] = None,
+    solver: Annotated[list[Solver] | None, typer.Option(help="Default: soft; the others where they fall.")] = None,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw the sweeps and the cases too.")] = None,
     workers: Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes.")] = stability_module.WORKERS,
     markdown: Annotated[bool, typer.Option("--markdown", help="Print the tables of docs/STABILITY.md.")] = False,

@@ -28,10 +28,10 @@ SHAPES = ("shape_circle", "shape_box", "shape_polygon")
 # * stands for any text.
 POINTERS: tuple[tuple[str, tuple[str, ...]], ...] = (
     (r"->collide\[", tuple(f"cairn_collide_{pair}" for pair in ("circles", "circle_polygon", "boxes", "polygons"))),
-    *((rf"kind->{name}\(", tuple(f"{file}:{name}" for file in SHAPES))
-      for name in ("check", "extents")),
+    (r"kind->check\(", tuple(f"{file}:check" for file in SHAPES)),
+    (r"kind->extents\(", ("shape_circle:extents", "shape_box:extents", "cairn_outline_extents")),
     (r"broad\(world\)->find_pairs\(", ("broad_pairs:find_pairs", "quadtree:find_pairs")),
-    (r"solver\(world\)->solve\(", ("solver_soft:solve", "solver_slides:solve")),
+    (r"solver\(world\)->solve\(", ("solver_soft:solve", "solver_small:solve")),
     *((rf"sleep\(world\)->{name}\(", (f"sleep:{name}",)) for name in ("wake", "settle", "disturb")),
     *((rf"continuous\(world\)->{name}\(", (f"continuous:{name}",)) for name in ("meet", "slide", "clip")),
     *((rf"continuous\(world\)->{name}\(", (f"cairn_arbiters_{name}",)) for name in ("hold_back", "land")),

@@ -84,7 +84,7 @@ def run(scene: Scene, arithmetic: str, target: str, steps: int, every: int) -> R
             image = Path(folder) / "runner.elf"
             build_image(scene, target, image)
             return run_built(scene, target, image, steps, every)
-    command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *_words(scene, steps, every)]
+    command = [str(host_program(ARITHMETICS[arithmetic], "cairn-runner")), "-", *words_of(scene, steps, every)]
     with _played(scene, arithmetic) as words:
         output = _output_of([*command, *words], scene, None)
     return _parse(output, scene, Run(arithmetic, target, steps, _no_states(scene)))
@@ -113,11 +113,12 @@ def numbers_of(play: Play, arithmetic: str) -> str:
 
 def run_built(scene: Scene, target: str, image: Path, steps: int, every: int) -> Run:
     """The same of an image that build_image() made."""
-    output = run_image(scene, target, image, [*_words(scene, steps, every), "costs=1"], timeout=120 + steps)
+    output = run_image(scene, target, image, [*words_of(scene, steps, every), "costs=1"], timeout=120 + steps)
     return _parse(output, scene, Run("q16", target, steps, _no_states(scene)))
 
 
-def _words(scene: Scene, steps: int, every: int) -> list[str]:
+def words_of(scene: Scene, steps: int, every: int) -> list[str]:
+    """What the runner is asked for: a run with the scene's settings, which may be others than its file's."""
     words = [f"steps={steps}", f"every={every}", "contacts=1", f"solver={scene.solver}", f"sleep={int(scene.sleep)}"]
     words += [f"substeps={scene.substeps}", f"passes={scene.passes}", f"rate={scene.steps_per_second}"]
     return [*words, f"broad={scene.broad_phase}"]

@@ -76,26 +76,34 @@ FEATURES = {
     "DRAWING": Feature("debug drawing", ("debug_draw",)),
     "HASH": Feature("the hash", ("hash",)),
     "MESHES": Feature("springs with meshes", ("spring_mesh", "spring_mesh_make")),
-    "SLIDES": Feature("the slides' solver instead", ("solver_slides",)),
+    "SLIDES": Feature("the slides' solver instead", ("solver_small",)),
+    "SMALL": Feature("the small solver instead", ("solver_small",)),
     # Of the games that all others build on:
     "BALLS": Feature("balls", ("shape_circle",)),
     "WALLS": Feature("walls", ("collide_circle_box", "shape_box", "collide_box")),
     "BOXES": Feature("boxes"),
 }  # fmt: skip
-# What the step is made of, and what any game may call; the soft solver is the others' instead.
-CORE_FILES = ("arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "hold", "idle", "material", "meet",
-              "motion", "rows", "shape_measure", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick",
-              "world")  # fmt: skip
+# The soft solver and what corrects its motion; a build without it has none of these, nor the bounces of FEATURES.
+SOFT_FILES = ("hold", "idle", "slide", "solver_soft", "sweep", "sweep_careful", "sweep_quick")
+WITHOUT_SOFT = "CAIRN_WITH_SOFT_SOLVER=0"
+# What the step is made of, and what any game may call.
+CORE_FILES = (*SOFT_FILES, "arbiter", "arith_fixed", "body", "body_state", "broad_pairs", "material", "meet", "motion",
+              "rows", "shape_measure", "world")  # fmt: skip
 NEEDS = {"MESHES": ("SPRINGS",), "HULLS": ("POLYGONS",)}
 # Files that a feature shares with another one; at -Os boxes collide as any polygon does.
-BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",), "WALLS": ("collide_circle_polygon", "collide_polygon")}
+BROUGHT = {"SLEEP": ("quadtree_walk",), "DRAWING": ("contact",), "WALLS": ("collide_circle_polygon", "collide_polygon"),
+           "SLIDES": ("solver_small",), "SMALL": ("solver_small",)}  # fmt: skip
 # The smallest of what these games can be told to take: whatever config.h can leave out.
-LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
+ANY_LEAN = tuple(f"CAIRN_WITH_{name}=0" for name in (
     "SPRINGS", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING",
     "SHORTCUTS", "HOLD", "SETTINGS", "SORT", "GRAVITY_SCALE"))  # fmt: skip
-LEAN_BALLS = (*LEAN, "CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1", "CAIRN_WITH_POLYGONS=0")
+LEAN = (*ANY_LEAN, "CAIRN_WITH_SMALL_SOLVER=0")
+LEAN_SMALL = (*ANY_LEAN, WITHOUT_SOFT, "CAIRN_WITH_GIANTS=0")
+ROUND = ("CAIRN_WITH_BOUNCE=0", "CAIRN_MAX_POINTS=1", "CAIRN_WITH_POLYGONS=0")
+LEAN_BALLS = (*LEAN, *ROUND)
 LEAST = (*LEAN_BALLS, *(f"CAIRN_WITH_{name}=0" for name in ("FRICTION", "TURNING", "SLOPES", "MASSES", "GIANTS")))
-EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES")))
+EVERYTHING = (*SHAPES, *(name for name in FEATURES if name not in (*SHAPES, "SLIDES", "SMALL")))
+SMALL_EVERYTHING = (*(name for name in EVERYTHING if name != "BLOCKS"), "SMALL")
 SETS = (
     FeatureSet("none", "an image without Cairn", ("NOTHING",)),
     FeatureSet("balls", "balls only", ("BALLS",), 16, 16),
@@ -104,11 +112,17 @@ SETS = (
                LEAN_BALLS),
     FeatureSet("balls_walls_least", "balls of one kind that slide, upright walls, by options", ("BALLS", "WALLS"),
                16, 16, 5 * 1024, 2560, LEAST),
+    FeatureSet("balls_walls_small", "balls and walls, the small solver alone, by options", ("BALLS", "WALLS", "SMALL"),
+               16, 16, 5 * 1024, 2560, (*LEAN_SMALL, *ROUND)),
     FeatureSet("boxes", "boxes only", ("WALLS", "BOXES"), 16, 16),
     FeatureSet("boxes_springs", "boxes and springs", ("WALLS", "BOXES", "SPRINGS"), 16, 16),
     FeatureSet("shapes", "balls, boxes, polygons, friction, restitution", SHAPES, 32, 64, 10 * 1024, 8 * 1024),
     FeatureSet("shapes_lean", "the same, by options", SHAPES, 32, 64, 10 * 1024, 8 * 1024, LEAN),
+    FeatureSet("shapes_small", "the same with the small solver alone, by options", (*SHAPES, "SMALL"), 32, 64,
+               10 * 1024, 8 * 1024, LEAN_SMALL),
     FeatureSet("everything", "everything in the library", EVERYTHING, 32, 64, 20 * 1024),
+    FeatureSet("everything_small", "the same but blocks, with the small solver alone, by an option", SMALL_EVERYTHING,
+               32, 64, 20 * 1024, options=(WITHOUT_SOFT,)),
     FeatureSet("base", "balls, walls and boxes", BASE),
     *(FeatureSet(name.lower(), f"+ {feature.what}", (*BASE, *NEEDS.get(name, ()), name))
       for name, feature in FEATURES.items() if name not in BASE),
@@ -236,11 +250,13 @@ def constant_names() -> dict[str, str]:
     return {name: file for name, file in places if count[name] == 1}
 
 
-def strangers(features: tuple[str, ...], found: dict[str, str]) -> list[str]:
+def strangers(features: tuple[str, ...], found: dict[str, str], options: tuple[str, ...] = ()) -> list[str]:
     """The functions and tables, by name with their files, of features that a game does not use."""
     others = [feature for name, feature in FEATURES.items() if name not in features]
     files = {f"{file}.c" for feature in others for file in feature.files}
     files -= {f"{file}.c" for name in features for file in BROUGHT.get(name, ())}
+    if WITHOUT_SOFT in options:
+        files |= {f"{file}.c" for file in (*SOFT_FILES, *FEATURES["RESTITUTION"].files)}
     names = {name for feature in others for name in feature.functions}
     return sorted(name for name, file in found.items() if file in files or name in names)
 

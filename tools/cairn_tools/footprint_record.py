@@ -69,7 +69,10 @@ def name_checks(found: dict[str, dict[str, str]], record: Record) -> Iterator[Ch
     """No game contains what it does not use, nor what is not on record; and a stranger would be seen."""
     for entry in SETS[1:]:
         here = found[entry.name]
-        wrong = [f"{name}, of a feature that it does not use" for name in footprint.strangers(entry.features, here)]
+        wrong = [
+            f"{name}, of a feature that it does not use"
+            for name in footprint.strangers(entry.features, here, entry.options)
+        ]
         new = set(_shared(here)) - set(record.get("names", {}).get(entry.name, ()))
         wrong += [f"{name}, not on record" for name in sorted(new)]
         more = f" and {len(wrong) - SHOWN} more" if len(wrong) > SHOWN else ""

@@ -30,6 +30,7 @@ RUN_SECONDS = 300
 # Scenes that also run with a setting other than their file's.
 VARIANTS: dict[tuple[str, Any], tuple[str, ...]] = {
     ("solver", "slides"): ("stack10", "pyramid10", "mixed50", "circles100", "bridge", "instability", "everything"),
+    ("solver", "small"): ("stack10", "pyramid10", "mixed50", "circles100", "bridge", "instability", "everything"),
     ("broad_phase", "quadtree"): ("pyramid10", "mixed50", "circles100", "basic", "everything"),
     ("broad_phase", "pairs"): ("balls50",),
     ("sleep", True): ("stack10", "pyramid10", "mixed50", "tower", "everything"),

@@ -38,6 +38,7 @@ _CALLS: dict[str, tuple[Any, list[Any]]] = {
     "set_push_out": (_INT, [_REAL]),
     "set_sleep": (_INT, [_INT]),
     "use_slides_solver": (_INT, [_INT]),
+    "use_small_solver": (_INT, [_INT]),
     "use_quadtree": (_INT, [_REAL, _REAL, _INT, _INT]),
     "speed_limit": (_REAL, []),
     "circle": (_INT, [_REAL]),
@@ -158,6 +159,9 @@ class World:
 
     def use_slides_solver(self, passes: int = 10) -> None:
         self._checked("use_slides_solver", passes)
+
+    def use_small_solver(self, passes: int = 10) -> None:
+        self._checked("use_small_solver", passes)
 
     def use_quadtree(self, size_log2: int = 6, depth: int = 6, centre: Point = (0.0, 0.0)) -> None:
         self._checked("use_quadtree", *centre, size_log2, depth)
@@ -318,6 +322,8 @@ def build(scene: Scene, arithmetic: str = "q16") -> tuple[World, list[int]]:
     world.set_substeps(scene.substeps)
     if scene.solver == "slides":
         world.use_slides_solver(scene.passes)
+    elif scene.solver == "small":
+        world.use_small_solver(scene.passes)
     materials = {
         name: _scene_material(world, scene, name) for name in dict.fromkeys(body.material for body in scene.bodies)
     }

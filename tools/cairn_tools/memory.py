@@ -95,10 +95,11 @@ CHANGES: dict[str, Change] = {
     "quadtree": lambda loaded: _changed(loaded, broad_phase="quadtree"),
     "sleep": lambda loaded: _changed(loaded, sleep=True),
     "slides": lambda loaded: replace(loaded, solver="slides"),
+    "small": lambda loaded: replace(loaded, solver="small"),
 }
 # A scene's name and, behind a blank, what is changed in it.
-SCENES = ("pyramid10", "pyramid10 quadtree", "pyramid10 sleep", "pyramid10 slides", "circles100", "mixed50",
-          "mixed50 quadtree", "curtain150", "bridge", "balls50", "heavy100", "shots", "heavy")  # fmt: skip
+SCENES = ("pyramid10", "pyramid10 quadtree", "pyramid10 sleep", "pyramid10 slides", "pyramid10 small", "circles100",
+          "mixed50", "mixed50 quadtree", "curtain150", "bridge", "balls50", "heavy100", "shots", "heavy")  # fmt: skip
 
 
 def load(name: str) -> scene.Scene:

@@ -245,6 +245,7 @@ def features(scene: Scene, table: str) -> str:
         "peer_use_quadtree": scene.broad_phase == "quadtree",
         "peer_use_blocks": "CAIRN_BLOCKS(" in table,
         "peer_use_slides": scene.solver == "slides",
+        "peer_use_small": scene.solver == "small",
         "peer_use_springs": bool(scene.springs),
     }
     names = "".join(f"{name}, " for name, of_scene in wanted.items() if of_scene)

@@ -74,7 +74,7 @@ def measure_cycles(scene: Scene, first: int, last: int) -> Profile:
         functions = _functions(image)
         table.write_text(_map(functions), encoding="utf-8")
         options = ["--map", str(table), "--out", str(counts), "--first", str(first), "--last", str(last)]
-        engine.run_image(scene, "rp2040", image, [f"steps={last}", "every=0"], options)
+        engine.run_image(scene, "rp2040", image, engine.words_of(scene, last, 0), options)
         cycles = [int(line.split()[1]) for line in counts.read_text(encoding="utf-8").splitlines()]
     return _shares(list(zip(functions, cycles, strict=True)), last - first + 1)
 
@@ -108,7 +108,7 @@ def rows(
         if listing is not None:
             code.write_text("\n".join(listing(image)) + "\n", encoding="utf-8")
             words += f",code={code}"
-        engine.run_image(scene, core, image, [f"steps={last}", "every=0"], ["--qemu=-plugin", f"--qemu={words}"])
+        engine.run_image(scene, core, image, engine.words_of(scene, last, 0), ["--qemu=-plugin", f"--qemu={words}"])
         lines = counts.read_text(encoding="utf-8").splitlines()
     return [(function, [int(word) for word in line.split()]) for function, line in zip(functions, lines, strict=True)]
 

@@ -157,6 +157,7 @@ class Scene:
         return self.shapes[body.shape]
 
 
+SOLVERS = ("soft", "slides", "small")
 # The fields of a file that say how it is run, not what is in it.
 SETTINGS = ("steps_per_second", "substeps", "solver", "passes", "broad_phase", "sleep")
 

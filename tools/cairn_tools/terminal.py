@@ -44,12 +44,12 @@ out = Screen()
 err = Console(stderr=True)
 
 Core = Enum("Core", {name: name for name in engine.COUNTED}, type=str)
-Solver = Enum("Solver", {name: name for name in ("soft", "slides")}, type=str)
+Solver = Enum("Solver", {name: name for name in scene.SOLVERS}, type=str)
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 SceneArgument = Annotated[str, typer.Argument(metavar="SCENE.json", help="A scene file, or a name in examples/scenes.")]
 SolverOption = Annotated[Solver | None, typer.Option(help="Instead of the scene's own.")]
 SubstepsOption = Annotated[int | None, typer.Option(min=1, max=16, help="Sub-steps of the soft solver.")]
-PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' solver.")]
+PassesOption = Annotated[int | None, typer.Option(min=1, max=100, help="Passes of the slides' or the small solver.")]
 
 
 @contextmanager
@@ -115,6 +115,6 @@ def load_scene(name: str, solver: Solver | None, substeps: int | None, passes: i
     """The scene with the settings of the command line in place of its own."""
     loaded = scene.load(scene.find(name))
     if passes and (solver.value if solver else loaded.solver) == "soft":
-        raise UserError("--passes are of the slides' solver: add --solver slides")
+        raise UserError("--passes are of the slides' and the small solver: add --solver slides or small")
     given = {"solver": solver.value if solver else None, "substeps": substeps, "passes": passes}
     return replace(loaded, **{key: value for key, value in given.items() if value is not None})

@@ -21,12 +21,12 @@ from .scene import Body, Scene, Shape
 CORE = "m0"
 FLAGS = "-Os -g -flto"
 PROJECT = engine.ROOT / "tools" / "trim"
-FEATURES = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SLIDES_SOLVER", "FIXED_POSITION",
-            "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES", "MASSES", "SETTINGS", "GIANTS", "SORT",
-            "GRAVITY_SCALE", "PINS")  # fmt: skip
+FEATURES = ("SPRINGS", "BOUNCE", "CONTINUOUS", "BLOCKS", "SLEEP", "QUADTREE", "SOFT_SOLVER", "SLIDES_SOLVER",
+            "SMALL_SOLVER", "FIXED_POSITION", "SENSORS", "DAMPING", "POLYGONS", "FRICTION", "TURNING", "SLOPES",
+            "MASSES", "SETTINGS", "GIANTS", "SORT", "GRAVITY_SCALE", "PINS")  # fmt: skip
 UNEVEN = 30  # bodies of more than so many times one another's mass get memory for blocks, as in tools/runner/storage.h
 FAST = 0.25  # of its smallest half size in a step: then continuous.c watches a body
-FIRST_SETTINGS = (60, 4)  # of a world: steps a second, sub-steps
+FIRST_SETTINGS = (60, 4, 10)  # of a world: steps a second, sub-steps of the soft solver, passes of the others
 LARGE = 15  # metres of radius: a giant has more
 FEW = 16  # bodies that are held each against each as quickly as sorted
 REFERENCE_SUBSTEPS = 16
@@ -48,6 +48,7 @@ class Wish:
     keep: tuple[str, ...]
     flash: int | None  # bytes, of Cairn and the scenes
     ram: int | None
+    solver: str | None = None  # instead of the scenes' own
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,9 @@ class Trimmed:
     """One scene's share of the outcome."""
 
     name: str
-    substeps: int
+    solver: str
+    substeps: int  # of the soft solver
+    passes: int  # of the others
     broad_phase: str
     error: float | None  # metres from the reference, where a tolerance is asked for
     before: Image
@@ -105,9 +108,9 @@ def trim(scenes: list[Scene], wish: Wish, out: Path, say: Say) -> tuple[Needs, l
         folder.mkdir(exist_ok=True)
         shutil.rmtree(folder / "trim", ignore_errors=True)
         errors: list[float | None] = [None] * len(scenes)
-        chosen = scenes
+        chosen = [replace(scene, solver=wish.solver or scene.solver) for scene in scenes]
         if wish.tolerance is not None:
-            found = [with_substeps(scene, wish, say) for scene in scenes]
+            found = [with_substeps(scene, wish, say) for scene in chosen]
             chosen, errors = [scene for scene, _ in found], [error for _, error in found]
         for scene in chosen:
             peaks(scene, wish, say)  # what overflows is refused before anything is built
@@ -121,7 +124,7 @@ def trim(scenes: list[Scene], wish: Wish, out: Path, say: Say) -> tuple[Needs, l
         say("what is needed")
         after = held(needs, chosen, wanted, folder, wish, say)
         _check_limits(after, wish)
-        result = [Trimmed(scene.name, scene.substeps, scene.broad_phase, *rest)
+        result = [Trimmed(scene.name, scene.solver, scene.substeps, scene.passes, scene.broad_phase, *rest)
                   for scene, *rest in zip(chosen, errors, before, after, strict=True)]  # fmt: skip
         trim_files.write_summary(folder / "trim", needs, result, wish)
         try:
@@ -153,7 +156,7 @@ def identifier(scene: Scene) -> str:
 def _rewritten(scene: Scene, folder: Path) -> Scene:
     """The scene as a file that says its settings, from which tables are made."""
     data = json.loads(scene.path.read_text(encoding="utf-8-sig"))
-    data |= {"substeps": scene.substeps, "broad_phase": scene.broad_phase}
+    data |= {"solver": scene.solver, "substeps": scene.substeps, "broad_phase": scene.broad_phase}
     file = folder / f"{identifier(scene)}-{scene.broad_phase}.json"
     file.write_text(json.dumps(data), encoding="utf-8")
     return replace(scene, path=file)
@@ -163,19 +166,21 @@ def _rewritten(scene: Scene, folder: Path) -> Scene:
 
 
 def with_substeps(scene: Scene, wish: Wish, say: Say) -> tuple[Scene, float]:
-    """The fewest sub-steps within the tolerance of the double build at 16 of them, and how far off they are."""
+    """The fewest sub-steps, or another solver, within the tolerance of the double build at 16; how far off it is."""
     assert wish.tolerance is not None
-    reference = _positions(replace(scene, substeps=REFERENCE_SUBSTEPS), "f64", wish.steps)
+    reference = _positions(replace(scene, solver="soft", substeps=REFERENCE_SUBSTEPS), "f64", wish.steps)
     least = math.inf
-    for substeps in range(1, REFERENCE_SUBSTEPS + 1):
-        say(f"{scene.name}: {substeps} sub-steps")
+    for substeps in range(1, REFERENCE_SUBSTEPS + 1) if scene.solver == "soft" else [scene.substeps]:
+        say(f"{scene.name}: " + (f"{substeps} sub-steps" if scene.solver == "soft" else f"the {scene.solver} solver"))
         tried = replace(scene, substeps=substeps)
         error = float(np.linalg.norm(_positions(tried, "q16", wish.steps) - reference, axis=-1).max())
         if error <= wish.tolerance:
             return tried, error
         least = min(least, error)
-    raise UserError(f"{scene.path}: no sub-steps keep it within {wish.tolerance:g} m of the double build at "
-                    f"{REFERENCE_SUBSTEPS} for {wish.steps} steps: the nearest is {least:.2g} m off")  # fmt: skip
+    what = "no sub-steps keep" if scene.solver == "soft" else f"the {scene.solver} solver does not keep"
+    nearest = "the nearest" if scene.solver == "soft" else "it"
+    raise UserError(f"{scene.path}: {what} it within {wish.tolerance:g} m of the double build at {REFERENCE_SUBSTEPS} "
+                    f"sub-steps for {wish.steps} steps: {nearest} is {least:.2g} m off")  # fmt: skip
 
 
 def _positions(scene: Scene, arithmetic: str, steps: int) -> np.ndarray:
@@ -213,6 +218,7 @@ def needs_of(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> Needs:
             reasons.append("asked for")
         needs.options[f"CAIRN_WITH_{name}"] = int(bool(reasons))
         needs.why[f"CAIRN_WITH_{name}"] = reasons[0] if reasons else "not in any scene"
+    _fit_solvers(needs)
     movers = [scene.shape_of(body) for scene in scenes for body in scene.bodies if not body.static]
     _fit_slopes(needs, movers)
     two = any(shape.kind != "circle" for shape in movers) or bool(needs.options["CAIRN_WITH_BLOCKS"])
@@ -231,15 +237,17 @@ def needs_of(scenes: list[Scene], runs: list[engine.Run], wish: Wish) -> Needs:
 
 def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
     """Why a scene needs a feature; empty if it does not."""
-    way = _fastest(scene, run)
+    way, soft = _fastest(scene, run), scene.solver == "soft"
     found: dict[str, Callable[[], Any]] = {
         "SPRINGS": lambda: scene.springs and f"springs, {len(scene.springs)} of them",
         "BOUNCE": lambda: any(scene.material(b.material).restitution > 0 for b in scene.bodies) and "bouncing bodies",
         "CONTINUOUS": lambda: way * (1 + wish.margin / 100) > FAST and f"{way:.0%} of a smallest half size in a step",
-        "BLOCKS": lambda: _unevenness(scene) > UNEVEN and f"masses differ by {_unevenness(scene):.3g} times",
+        "BLOCKS": lambda: soft and _unevenness(scene) > UNEVEN and f"masses differ by {_unevenness(scene):.3g} times",
         "SLEEP": lambda: scene.sleep and "sleep is on",
         "QUADTREE": lambda: scene.broad_phase == "quadtree" and "it saves 2 % of the instructions or more",
+        "SOFT_SOLVER": lambda: soft and "the soft solver",
         "SLIDES_SOLVER": lambda: scene.solver == "slides" and "the slides' solver",
+        "SMALL_SOLVER": lambda: scene.solver == "small" and "the small solver",
         "FIXED_POSITION": lambda: any(body.fixed_position for body in scene.bodies) and "bodies of fixed position",
         "SENSORS": lambda: any(body.sensor for body in scene.bodies) and "sensors",
         "DAMPING": lambda: "",  # scene files have none
@@ -247,7 +255,7 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
         "FRICTION": lambda: any(scene.material(b.material).static_friction > 0 for b in scene.bodies) and "friction",
         "TURNING": lambda: any(_turns(body) for body in scene.bodies) and "bodies that turn",
         "MASSES": lambda: len(_kinds(scene)) > 1 and "other masses",
-        "SETTINGS": lambda: (scene.steps_per_second, scene.substeps) != FIRST_SETTINGS and "a rate of its own",
+        "SETTINGS": lambda: _settings(scene) != FIRST_SETTINGS and "a rate, sub-steps or passes of its own",
         "GIANTS": lambda: any(s.kind == "circle" and s.radius > LARGE for s in scene.shapes.values()) and "giants",
         "SORT": lambda: len(scene.bodies) > FEW and f"{len(scene.bodies)} bodies",
         "GRAVITY_SCALE": lambda: "",  # scene files have none
@@ -256,6 +264,14 @@ def _reason(name: str, scene: Scene, run: engine.Run, wish: Wish) -> str:
     }
     reason = found[name]()
     return f"{scene.name}: {reason}" if reason else ""
+
+
+def _settings(scene: Scene) -> tuple[int, int, int]:
+    """What a solver has no use for is as it is at first."""
+    _, substeps, passes = FIRST_SETTINGS
+    if scene.solver == "soft":
+        return scene.steps_per_second, scene.substeps, passes
+    return scene.steps_per_second, substeps, scene.passes
 
 
 def _kinds(scene: Scene) -> set[tuple[str, float]]:
@@ -268,6 +284,16 @@ def _turns(body: Body) -> bool:
 
 def _leans(scene: Scene, body: Body) -> bool:
     return scene.shape_of(body).kind != "circle" and (body.angle != 0 or _turns(body))
+
+
+def _fit_solvers(needs: Needs) -> None:
+    """Blocks are the soft solver's; and with that one and another, the sub-steps are no constant."""
+    soft, settings = "CAIRN_WITH_SOFT_SOLVER", "CAIRN_WITH_SETTINGS"
+    if needs.options["CAIRN_WITH_BLOCKS"] and not needs.options[soft]:
+        needs.options[soft], needs.why[soft] = 1, "blocks are of that solver"
+    others = needs.options["CAIRN_WITH_SLIDES_SOLVER"] or needs.options["CAIRN_WITH_SMALL_SOLVER"]
+    if needs.options[soft] and others and not needs.options[settings]:
+        needs.options[settings], needs.why[settings] = 1, "solvers with and without sub-steps"
 
 
 def _fit_slopes(needs: Needs, movers: list[Shape]) -> None:

@@ -11,7 +11,7 @@ from rich.table import Table
 
 from . import trim, trim_files
 from .errors import UserError
-from .terminal import JsonOption, out, working
+from .terminal import JsonOption, SolverOption, out, working
 
 
 def command(
@@ -24,6 +24,7 @@ def command(
     tolerance: Annotated[
         float | None, typer.Option(help="Metres: the fewest sub-steps within it of the double build at 16 sub-steps.")
     ] = None,
+    solver: SolverOption = None,
     keep: Annotated[list[str] | None, typer.Option(help="Features that the game uses beside the scenes.")] = None,
     flash: Annotated[int | None, typer.Option(min=1, help="Bytes allowed.")] = None,
     ram: Annotated[int | None, typer.Option(min=1, help="Bytes allowed.")] = None,
@@ -38,7 +39,7 @@ def command(
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{folder}: is no folder")
     scenes = [trim.load(name) for name in scene_files]
-    wish = trim.Wish(steps, margin, tolerance, tuple(keep or ()), flash, ram)
+    wish = trim.Wish(steps, margin, tolerance, tuple(keep or ()), flash, ram, solver and solver.value)
     with working("trim") as say:
         needs, result = trim.trim(scenes, wish, folder, say)
     if as_json:
@@ -80,7 +81,10 @@ def _choices(needs: trim.Needs, result: list[trim.Trimmed], margin: float) -> Ta
         grid.add_column(column, justify="right" if column == "value" else "left")
     for row in result:
         off = "as in the file" if row.error is None else f"{row.error:.2g} m off, within the tolerance"
-        grid.add_row(f"sub-steps of {row.name}", str(row.substeps), off)
+        if row.solver == "soft":
+            grid.add_row(f"sub-steps of {row.name}", str(row.substeps), off)
+        else:
+            grid.add_row(f"passes of {row.name}", str(row.passes), off)
     grid.add_row("pairs by", result[0].broad_phase, "fewest instructions; the quadtree if it saves 2 %")
     for name, value in needs.options.items():
         grid.add_row(name, str(value), needs.why[name])

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .. import engine
 from ..errors import UserError
-from ..scene import Scene
+from ..scene import SOLVERS, Scene
 from .reference import FRAMES, Reference
 from .rig import Rig
 from .rows import PEERS, Row, Settings
@@ -47,13 +47,13 @@ def of(scene: Scene) -> tuple[Scene, float]:
 
 
 def settings_of_cairn(scene: Scene) -> list[Settings]:
-    """Sub-steps by rates; passes of the slides' solver by rates; sleep and the other broad phase at the default."""
+    """Sub-steps by rates; passes of the other solvers by rates; sleep and the other broad phase at the default."""
     own = Settings.of(scene)
     plain = replace(own, solver="soft", sleep=False)
     every = [replace(plain, substeps=n, steps_per_second=rate) for n in SUBSTEPS for rate in RATES]
-    slides = replace(plain, solver="slides", substeps=4)
-    every += [replace(slides, passes=n) for n in PASSES]
-    every += [replace(slides, steps_per_second=rate) for rate in RATES]
+    for other in (replace(plain, solver=solver, substeps=4) for solver in SOLVERS if solver != "soft"):
+        every += [replace(other, passes=n) for n in PASSES]
+        every += [replace(other, steps_per_second=rate) for rate in RATES]
     every += [own, replace(own, sleep=not own.sleep), replace(own, quadtree=not own.quadtree)]
     return list(dict.fromkeys(every))
 

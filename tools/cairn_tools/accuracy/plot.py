@@ -19,6 +19,7 @@ from .tables import groups
 
 COLOURS = dict(zip(RATES, ("tab:cyan", "tab:blue", "tab:purple", "tab:pink"), strict=True))
 PEERS = {"chipmunk": ("tab:orange", "s"), "box2d": ("tab:red", "D")}
+SOLVERS = {"slides": "^", "small": "v"}  # beside the soft one
 FLOOR = 1e-6  # metres: what is nearer to 0, below the resolution of the positions, is drawn here
 
 
@@ -67,8 +68,8 @@ def _points(axes: Axes, group: list[Row], measure: str) -> None:
     own = [row for row in known if row.settings.engine == "cairn"]
     for row in own:
         colour = COLOURS.get(row.settings.steps_per_second, "0.5")
-        marker = "^" if row.settings.solver == "slides" else "P" if row.settings.sleep else "o"
-        faint = 0.45 if row.settings.solver == "slides" else 1.0
+        marker = SOLVERS.get(row.settings.solver, "P" if row.settings.sleep else "o")
+        faint = 0.45 if row.settings.solver in SOLVERS else 1.0
         axes.plot(*_place(row, measure), marker, color=colour, ms=5, alpha=faint, zorder=3)
     if any(value(row, measure) < FLOOR for row in known):
         axes.annotate("0", (0.0, FLOOR), xycoords=("axes fraction", "data"), xytext=(4, -3), textcoords="offset points")
@@ -109,7 +110,9 @@ def _legend(rows: list[Row]) -> list[Line2D]:
     handles = [mark("*", "gold", "Cairn's default", mec="k", ms=12)]
     handles += [mark("", "0.4", "Pareto front of Cairn: sub-steps", ls="-")]
     handles += [mark("o", colour, f"Cairn, {rate} steps a second") for rate, colour in COLOURS.items()]
-    handles += [mark("P", COLOURS[60], "with sleep"), mark("^", COLOURS[60], "the slides' solver", alpha=0.45)]
+    handles += [mark("P", COLOURS[60], "with sleep")]
+    names = {"slides": "the slides' solver", "small": "the small solver"}
+    handles += [mark(SOLVERS[solver], COLOURS[60], name, alpha=0.45) for solver, name in names.items()]
     named = {row.settings.engine for row in rows}
     notes = {"chipmunk": "Chipmunk, iterations", "box2d": "Box2D, velocity iterations"}
     return handles + [mark(PEERS[name][1], PEERS[name][0], text) for name, text in notes.items() if name in named]

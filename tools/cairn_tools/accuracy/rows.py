@@ -26,7 +26,7 @@ class Settings:
     solver: str = "soft"
     steps_per_second: int = 60
     substeps: int = 4  # of the soft solver
-    passes: int = 10  # of the slides' solver
+    passes: int = 10  # of the other solvers
     quadtree: bool = False
     sleep: bool = False
 
@@ -41,8 +41,8 @@ class Settings:
         """For a table."""
         if self.engine != "cairn":
             text = f"{self.engine}, {self.passes} iterations"
-        elif self.solver == "slides":
-            text = f"slides, {self.passes} passes"
+        elif self.solver != "soft":
+            text = f"{self.solver}, {self.passes} passes"
         else:
             text = f"{self.substeps} sub-step{'s' if self.substeps > 1 else ''}"
         options = [name for name, on in (("quadtree", self.quadtree), ("sleep", self.sleep)) if on]

@@ -10,6 +10,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from .. import engine as engine_module
+from .. import scene
 from ..errors import UserError
 from . import report
 from .cases import CASES
@@ -28,8 +29,8 @@ def jobs(part: str, names: list[str], engines: list[str], solvers: list[str]) ->
             raise UserError(f"--case {name}: no such case; known: {', '.join(CASES)}")
     listed = []
     for entry in chosen:
-        # Without a wish, the slides' scheme is shown where its fall is the point.
-        wished = solvers or (["soft", "slides"] if entry.baseline else ["soft"])
+        # Without a wish, the others are shown where their fall is the point.
+        wished = solvers or (scene.SOLVERS if entry.baseline else ["soft"])
         for solver in wished:
             usual = engines or (entry.engines if solver == "soft" else ("q16",))
             listed += [(entry.name, engine, solver) for engine in usual if engine in entry.engines]

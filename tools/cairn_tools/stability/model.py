@@ -13,7 +13,6 @@ from ..host import World
 from ..scene import Scene
 
 ENGINES = ("q16", "f64")
-SOLVERS = ("soft", "slides")
 
 
 @dataclass(frozen=True)
@@ -61,8 +60,9 @@ class Bench:
         return world
 
     def choose_solver(self, world: World) -> None:
-        if self.solver == "slides":
-            world.use_slides_solver(self.passes)
+        choices = {"slides": world.use_slides_solver, "small": world.use_small_solver}
+        if self.solver in choices:
+            choices[self.solver](self.passes)
 
     def scene(self, scene: Scene) -> World:
         """A scene file's world under this solver."""
@@ -85,7 +85,7 @@ class Case:
     peers: str = ""  # the best published figure of other engines
     quick: bool = False
     engines: tuple[str, ...] = ENGINES
-    baseline: bool = False  # shown under the slides' scheme too
+    baseline: bool = False  # shown under the other solvers too
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Result:
 
     @property
     def decides(self) -> bool:
-        """The slides' scheme is a baseline: it may fall."""
+        """The other solvers are there to compare with: they may fall."""
         return self.solver == "soft"
 
 

@@ -21,6 +21,7 @@ from .cases import CASES
 from .heavy import column
 from .measure import moved
 from .model import Bench
+from .report import OTHER_SOLVERS
 
 SUBSTEPS = (1, 2, 3, 4, 6, 8, 12, 16)
 RATIOS = tuple(10 ** (k / 2) for k in range(11))
@@ -89,14 +90,16 @@ def _height(axes: Axes, pool: ProcessPoolExecutor) -> None:
             heights = list(pool.map(tallest, *zip(*((engine, "soft", n, offset) for n in SUBSTEPS), strict=True)))
             label = f"{engine}, {'offset 2 cm' if offset else 'aligned'}"
             axes.plot(SUBSTEPS, heights, "o" if engine == "q16" else "x", ls=":" if offset else "-", label=label)
-    axes.axhline(tallest("q16", "slides", 1, False), color="0.5", label="the slides' scheme, 10 passes, aligned")
+    for (solver, name), style in zip(OTHER_SOLVERS.items(), ("-", "-."), strict=True):
+        axes.axhline(tallest("q16", solver, 1, False), color="0.5", ls=style, label=f"{name}, 10 passes, aligned")
     axes.set(xlabel="sub-steps a step", ylabel=f"boxes that stand 60 s (of {TALLEST} at most)")
 
 
 def _ratio(axes: Axes, pool: ProcessPoolExecutor) -> None:
-    for engine, solver, n in (("q16", "soft", 4), ("f64", "soft", 4), ("q16", "soft", 16), ("q16", "slides", 1)):
+    soft = [(engine, "soft", n) for engine, n in (("q16", 4), ("f64", 4), ("q16", 16))]
+    for engine, solver, n in (*soft, *(("q16", other, 1) for other in OTHER_SOLVERS)):
         depths = list(pool.map(penetration, *zip(*((engine, solver, n, ratio) for ratio in RATIOS), strict=True)))
-        label = f"{engine}, {n} sub-steps" if solver == "soft" else "the slides' scheme"
+        label = f"{engine}, {n} sub-steps" if solver == "soft" else OTHER_SOLVERS[solver]
         axes.loglog(RATIOS, np.array(depths) * 1e3, "o-", label=label)
     axes.axhline(1, color="0.5", ls="--", label="target")
     axes.set(xlabel="mass of the upper box over the lower one's", ylabel="penetration, mm (no point: it falls)")

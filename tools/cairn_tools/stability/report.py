@@ -15,6 +15,7 @@ from rich.table import Table
 from .cases import CASES
 from .model import Figure, Result
 
+OTHER_SOLVERS = {"slides": "the slides' scheme", "small": "the small solver"}
 # From metres and kin to what reads well; the least figure that is shown in a unit.
 _SMALLER = {"m": ("mm", 1e3), "m/s": ("mm/s", 1e3)}
 
@@ -105,9 +106,9 @@ def closing(results: list[Result]) -> str:
     """One line: how many of the deciding rows hold."""
     held, deciding = counts(results)
     line = f"{held} of {deciding} rows hold"
-    baseline = [result for result in results if not result.decides]
-    if baseline:
-        line += f"; under the slides' scheme {sum(not result.ok for result in baseline)} of {len(baseline)} fall"
+    for solver, name in OTHER_SOLVERS.items():
+        own = [result for result in results if result.solver == solver]
+        line += f"; under {name} {sum(not result.ok for result in own)} of {len(own)} fall" if own else ""
     return line
 
 

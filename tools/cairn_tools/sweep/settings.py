@@ -115,9 +115,9 @@ PARAMETERS = {
     parameter.name: parameter
     for parameter in (
         Parameter("engine", "q16, f64", "q16", _word("q16", "f64")),
-        Parameter("solver", "soft, slides", None, _word("soft", "slides")),
+        Parameter("solver", ", ".join(scene.SOLVERS), None, _word(*scene.SOLVERS)),
         Parameter("substeps", "1 to 16, of the soft solver", None, _whole(1, 16)),
-        Parameter("passes", "1 to 100, of the slides' solver", None, _whole(1, 100)),
+        Parameter("passes", "1 to 100, of the slides' and the small solver", None, _whole(1, 100)),
         Parameter("rate", "steps a second, 10 to 2000", None, _whole(10, 2000)),
         Parameter("sleep", "on, off", None, _switch),
         Parameter("quadtree", "on, off", None, _switch),
