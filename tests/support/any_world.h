@@ -245,8 +245,8 @@ static void open_any_world(void)
     if (one_in(2)) {
         (void)cairn_blocks_enable(world, &any_blocks);
     }
-    if (one_in(6)) {
-        (void)cairn_world_use_slides_solver(world, (int)below(20));
+    if (one_in(4)) {
+        (void)(one_in(2) ? cairn_world_use_slides_solver(world, (int)below(20)) : cairn_world_use_small_solver(world, (int)below(20)));
     }
     if (one_in(2)) {
         (void)cairn_sleep_enable(world);
