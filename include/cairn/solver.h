@@ -9,8 +9,9 @@
  * What it lacks: bodies of 30 times another one's mass on top of it sink in and squeeze it out, and far heavier ones press it through the floor; contacts
  * lie up to the slop, 1 cm, deep; smaller boxes stack less high, as they all do at fewer steps a second or with less slop; what meets in flight
  * rebounds up to a step's way early (restitution 0.5 from 5 m: back to 1.37 m in place of 1.25); no speed beyond 48.9 m/s at 60 steps a second, to which a
- * change from the soft solver cuts what is faster; moving piles take two to three times the soft solver's instructions. Without continuous collision corners
- * turn aside what is fast and would just pass them, and what bounces rebounds from them.
+ * change from the soft solver cuts what is faster; moving piles take two to three times the soft solver's instructions; what spins, rubs and
+ * bounces almost fully may gain energy. Without continuous collision corners turn aside what is fast and would just pass them, and what bounces
+ * rebounds from them.
  */
 #ifndef CAIRN_SOLVER_H
 #define CAIRN_SOLVER_H
