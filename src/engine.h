@@ -180,7 +180,7 @@ cairn_share cairn_bodies_share(const cairn_body *a, const cairn_body *b);
 
 /* What a build may be without (config.h): constants then, and the compiler leaves out what cannot occur. */
 static inline struct cairn_spring_pool *cairn_world_springs(const cairn_world *world) { return CAIRN_WITH_SPRINGS ? world->springs : NULL; }
-static inline const cairn_bounce_class *cairn_world_bounce(const cairn_world *world) 
+static inline const cairn_bounce_class *cairn_world_bounce(const cairn_world *world)
 {
     return CAIRN_WITH_BOUNCE && CAIRN_WITH_SOFT_SOLVER ? world->bounce : NULL;
 }

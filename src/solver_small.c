@@ -87,7 +87,7 @@ static cairn_motion rubbing(const cairn_world *world, const cairn_arbiter *arbit
     return cairn_motion_clamp(impulse, CAIRN_IMPULSE_MAX);
 }
 
-/* One pass over a contact, or with what it has kept from the step before. */
+/* One pass over a contact. The one before all others only gives the bodies what it has kept from the step before. */
 static void solve_contact(cairn_world *world, cairn_arbiter *arbiter, line *l, int k)
 {
     bool starts = k == cairn_world_passes(world);
@@ -133,12 +133,12 @@ static bool pass(cairn_world *world, int k)
     return !cairn_size_is_below(l.changed, SOLVED);
 }
 
-static cairn_motion size_of(cairn_motion x) { return x < 0 ? -x : x; }
+static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
 /* What closes slower does not rebound: the threshold, of the two materials the smaller one of those that bounce, or what gravity gives in a step. */
 static cairn_motion rest_of(const cairn_world *world, const cairn_material *a, const cairn_material *b)
 {
-    cairn_motion gravity = cairn_motion_add(size_of(world->gravity_x.whole), size_of(world->gravity_y.whole));
+    cairn_motion gravity = cairn_motion_add(magnitude(world->gravity_x.whole), magnitude(world->gravity_y.whole));
     cairn_real threshold = a->restitution == 0 ? b->threshold : b->restitution == 0 || a->threshold < b->threshold ? a->threshold : b->threshold;
     threshold = threshold > CAIRN_F(500) ? CAIRN_F(500) : threshold; /* more than anything moves by, and there is room for it */
     cairn_motion rest = cairn_motion_from_offset(cairn_motion_ratio(cairn_offset_from_real(threshold), cairn_world_rest_damping(world))); /* of a second */
@@ -257,7 +257,7 @@ static cairn_status use(cairn_world *world, const cairn_solver_class *solver, in
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter_doubt(cairn_arbiter_at(world, place)); /* rows of the soft solver do not serve */
     }
-    cairn_world_set_substeps(world, 1); /* before it, or there are none to set */
+    cairn_world_set_substeps(world, 1);
     world->solver = solver;
     world->passes = (uint8_t)passes;
     return cairn_world_set_slop(world, CAIRN_HARD_SLOP);

@@ -66,12 +66,12 @@
 #define CAIRN_WITH_MASSES 1 /* without, all that is dynamic is of one shape and one density */
 #endif
 #ifndef CAIRN_WITH_SETTINGS
-#define CAIRN_WITH_SETTINGS 1 /* without, the rate, the sub-steps and the push-out stay what they are at first */
+#define CAIRN_WITH_SETTINGS 1 /* without, the rate, the sub-steps, the passes and the push-out stay what they are at first */
 #endif
 /*
  * Solvers (world.h, solver.h): one at least. Without the soft one there are no blocks, no contacts that hold, no quick ways and no impact phase, at
  * half of the flash of a game of boxes and polygons; the bits are those of the full build with the same solver. The others have no sub-steps, so that
- * CAIRN_WITH_SETTINGS 0 allows the soft one alone or none.
+ * CAIRN_WITH_SETTINGS 0 allows the soft one alone, or the others without it.
  */
 #ifndef CAIRN_WITH_SOFT_SOLVER
 #define CAIRN_WITH_SOFT_SOLVER 1

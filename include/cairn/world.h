@@ -24,7 +24,7 @@ typedef enum cairn_solver_kind { CAIRN_SOLVER_SOFT, CAIRN_SOLVER_SLIDES, CAIRN_S
 /* How constraints are solved, given the arbiters of this step: from velocities and forces to new poses. */
 typedef struct cairn_solver_class {
     void (*solve)(struct cairn_world *world);
-    cairn_solver_kind kind;
+    cairn_solver_kind kind; /* what of the rest of the step goes with it */
 } cairn_solver_class;
 
 /* How pairs are found: calls cairn_arbiter_pair() once for every pair of bodies whose boxes overlap. */
@@ -194,9 +194,9 @@ const cairn_world_stats *cairn_world_get_stats(const cairn_world *world);
 cairn_status cairn_world_set_gravity(cairn_world *world, cairn_vec2 gravity);
 /* Steps per second, 10 to 2000. Velocities and warm impulses carry over. */
 cairn_status cairn_world_set_rate(cairn_world *world, cairn_real steps_per_second);
-/* Sub-steps a step, 1 to 16. More stand higher and cost more. */
+/* Sub-steps a step, 1 to 16. More stand higher and cost more. CAIRN_ERROR_KIND for more than one where the solver has none (solver.h). */
 cairn_status cairn_world_set_substeps(cairn_world *world, int substeps);
-/* Penetration in metres that is left alone, 0 to 0.1 (default 0). */
+/* Penetration in metres that is left alone, 0 to 0.1 (default 0; 0.01 with the solvers of solver.h). */
 cairn_status cairn_world_set_slop(cairn_world *world, cairn_real slop);
 /* Greatest speed at which penetrating bodies are pushed apart, 0 to 100 m/s (default 3). */
 cairn_status cairn_world_set_push_out(cairn_world *world, cairn_real speed);
