@@ -151,22 +151,25 @@ static cairn_motion pull_of(const cairn_world *world, const cairn_body *body, co
     return cairn_motion_along(cairn_body_gravity(world, world->gravity_x.whole, body), cairn_body_gravity(world, world->gravity_y.whole, body), l->x, l->y);
 }
 
-/* Newton's law: the velocity after it is to be -e times the one before, for what would touch in this step. What rebounds is not pressed on in the next one. */
+/*
+ * What would touch in this step, and faster than rest, is an impact: by Newton's law the velocity after it is to be -e times the one before, and the
+ * impulse is not given once more as the next step's first guess.
+ */
 static void aim(cairn_world *world, cairn_arbiter *arbiter)
 {
     line l;
     set_line(&l, world, arbiter);
     const cairn_material *a = l.body[0]->model->material, *b = l.body[1]->model->material;
-    cairn_factor restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
+    cairn_factor restitution = !CAIRN_WITH_BOUNCE ? 0 : a->restitution > b->restitution ? a->restitution : b->restitution;
     cairn_motion rest = rest_of(world, a, b);
     cairn_motion pull = pull_of(world, l.body[1], &l) - (cairn_body_is_dynamic(l.body[0]) ? pull_of(world, l.body[0], &l) : 0);
-    for (int i = 0; restitution != 0 && i < arbiter->count; i++) {
+    for (int i = 0; i < arbiter->count; i++) {
         cairn_row *row = &arbiter->rows[i];
         take_levers(&l, row);
         cairn_motion u = velocity(&l);
         if (u < -rest && cairn_motion_add(row->gap, cairn_motion_add(u, pull)) <= 0) {
             cairn_motion bias = cairn_motion_add(cairn_motion_factor(u, restitution), -pull);
-            row->gap = row->gap < bias ? row->gap : bias;
+            row->gap = restitution != 0 && bias < row->gap ? bias : row->gap;
             row->feature |= CAIRN_ROW_IN_FLIGHT;
         }
     }
@@ -176,7 +179,7 @@ static void aim_all(cairn_world *world)
 {
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        if ((arbiter->flags & (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) == (CAIRN_ARBITER_SOLVED | CAIRN_ARBITER_BOUNCY)) {
+        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
             aim(world, arbiter);
         }
     }
@@ -217,9 +220,7 @@ static void solve(cairn_world *world)
     if (cairn_world_springs(world) != NULL) {
         cairn_world_springs(world)->kind->prepare(world);
     }
-    if (CAIRN_WITH_BOUNCE) {
-        aim_all(world);
-    }
+    aim_all(world);
     start(world);
     if (cairn_world_springs(world) != NULL) {
         cairn_world_springs(world)->kind->substep(world, 0);
