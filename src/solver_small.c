@@ -135,52 +135,53 @@ static bool pass(cairn_world *world, int k)
 
 static cairn_motion magnitude(cairn_motion x) { return x < 0 ? -x : x; }
 
-/* What closes slower does not rebound: the threshold, of the two materials the smaller one of those that bounce, or what gravity gives in a step. */
-static cairn_motion rest_of(const cairn_world *world, const cairn_material *a, const cairn_material *b)
-{
-    cairn_motion gravity = cairn_motion_add(magnitude(world->gravity_x.whole), magnitude(world->gravity_y.whole));
-    cairn_real threshold = a->restitution == 0 ? b->threshold : b->restitution == 0 || a->threshold < b->threshold ? a->threshold : b->threshold;
-    threshold = threshold > CAIRN_F(500) ? CAIRN_F(500) : threshold; /* more than anything moves by, and there is room for it */
-    cairn_motion rest = cairn_motion_from_offset(cairn_motion_ratio(cairn_offset_from_real(threshold), cairn_world_rest_damping(world))); /* of a second */
-    return rest > gravity ? rest : gravity;
-}
-
-/* What gravity gives a body along it. */
+/* What gravity gives a body along it in a step. */
 static cairn_motion pull_of(const cairn_world *world, const cairn_body *body, const line *l)
 {
     return cairn_motion_along(cairn_body_gravity(world, world->gravity_x.whole, body), cairn_body_gravity(world, world->gravity_y.whole, body), l->x, l->y);
 }
 
+/* Does the pair rebound from an approach at u? By the smaller threshold of those of its materials that bounce. */
+static bool rebounds(const cairn_world *world, const cairn_material *a, const cairn_material *b, cairn_motion u)
+{
+    cairn_real threshold = a->restitution == 0 ? b->threshold : b->restitution == 0 || a->threshold < b->threshold ? a->threshold : b->threshold;
+    threshold = threshold > CAIRN_F(500) ? CAIRN_F(500) : threshold; /* more than anything moves by, and there is room for it */
+    return (a->restitution != 0 || b->restitution != 0)
+        && -u > cairn_motion_from_offset(cairn_motion_ratio(cairn_offset_from_real(threshold), cairn_world_rest_damping(world))); /* of a second */
+}
+
 /*
- * What would touch in this step, and faster than rest, is an impact: by Newton's law the velocity after it is to be -e times the one before, and the
+ * An approach at u, faster than rest. If the two touch in this step it is an impact: by Newton's law the velocity after it is to be -e times u, and the
  * impulse is not given once more as the next step's first guess.
  */
-static void aim(cairn_world *world, cairn_arbiter *arbiter)
+CAIRN_ONCE void strike(const cairn_world *world, const line *l, cairn_row *row, cairn_motion u)
 {
-    line l;
-    set_line(&l, world, arbiter);
-    const cairn_material *a = l.body[0]->model->material, *b = l.body[1]->model->material;
-    cairn_factor restitution = !CAIRN_WITH_BOUNCE ? 0 : a->restitution > b->restitution ? a->restitution : b->restitution;
-    cairn_motion rest = rest_of(world, a, b);
-    cairn_motion pull = pull_of(world, l.body[1], &l) - (cairn_body_is_dynamic(l.body[0]) ? pull_of(world, l.body[0], &l) : 0);
-    for (int i = 0; i < arbiter->count; i++) {
-        cairn_row *row = &arbiter->rows[i];
-        take_levers(&l, row);
-        cairn_motion u = velocity(&l);
-        if (u < -rest && cairn_motion_add(row->gap, cairn_motion_add(u, pull)) <= 0) {
-            cairn_motion bias = cairn_motion_add(cairn_motion_factor(u, restitution), -pull);
-            row->gap = restitution != 0 && bias < row->gap ? bias : row->gap;
-            row->feature |= CAIRN_ROW_IN_FLIGHT;
-        }
+    const cairn_material *a = l->body[0]->model->material, *b = l->body[1]->model->material;
+    cairn_motion pull = pull_of(world, l->body[1], l) - (cairn_body_is_dynamic(l->body[0]) ? pull_of(world, l->body[0], l) : 0);
+    if (cairn_motion_add(row->gap, cairn_motion_add(u, pull)) > 0) {
+        return;
+    }
+    row->feature |= CAIRN_ROW_IN_FLIGHT;
+    if (CAIRN_WITH_BOUNCE && rebounds(world, a, b, u)) {
+        cairn_factor restitution = a->restitution > b->restitution ? a->restitution : b->restitution;
+        cairn_motion bias = cairn_motion_add(cairn_motion_factor(u, restitution), -pull);
+        row->gap = row->gap < bias ? row->gap : bias;
     }
 }
 
-static void aim_all(cairn_world *world)
+static void find_impacts(cairn_world *world)
 {
+    cairn_motion rest = cairn_motion_add(magnitude(world->gravity_x.whole), magnitude(world->gravity_y.whole)); /* what gravity gives in a step */
+    line l;
     for (uint16_t place = 0; place < world->arbiter_count; place++) {
         cairn_arbiter *arbiter = cairn_arbiter_at(world, place);
-        if (arbiter->flags & CAIRN_ARBITER_SOLVED) {
-            aim(world, arbiter);
+        set_line(&l, world, arbiter);
+        for (int i = 0; (arbiter->flags & CAIRN_ARBITER_SOLVED) && i < arbiter->count; i++) {
+            take_levers(&l, &arbiter->rows[i]);
+            cairn_motion u = velocity(&l);
+            if (u < -rest) {
+                strike(world, &l, &arbiter->rows[i], u);
+            }
         }
     }
 }
@@ -220,7 +221,7 @@ static void solve(cairn_world *world)
     if (cairn_world_springs(world) != NULL) {
         cairn_world_springs(world)->kind->prepare(world);
     }
-    aim_all(world);
+    find_impacts(world);
     start(world);
     if (cairn_world_springs(world) != NULL) {
         cairn_world_springs(world)->kind->substep(world, 0);
