@@ -102,7 +102,8 @@ static inline bool cairn_arbiter_is_sliding(const cairn_arbiter *arbiter)
  * bodies, each as CAIRN_PATH_CENTRAL.
  */
 #define CAIRN_HAS_WAYS \
-    (CAIRN_WITH_SOFT_SOLVER && (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
+    (CAIRN_WITH_SOFT_SOLVER \
+     && (CAIRN_MAX_POINTS > 1 || CAIRN_WITH_TURNING || CAIRN_WITH_FRICTION || CAIRN_WITH_MASSES || CAIRN_WITH_SETTINGS || CAIRN_WITH_BOUNCE \
      || CAIRN_WITH_FIXED_POSITION || CAIRN_WITH_BLOCKS || CAIRN_WITH_SENSORS || CAIRN_WITH_SLEEP || CAIRN_WITH_CONTINUOUS || CAIRN_WITH_SHORTCUTS \
      || CAIRN_WITH_HOLD))
 /* Where no rows are held and no shapes are cheaply told apart, pairs are looked at first, and their arbiter is found, or made, once they meet. */
@@ -230,7 +231,7 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_world_inverse_substep(const cairn_world *wo
     return CAIRN_WITH_SETTINGS ? world->inverse_substep : at_first;
 }
 /* Where there is one of a kind it is called by its own name. */
-#define CAIRN_HAS_SOLVERS (CAIRN_WITH_SOFT_SOLVER + CAIRN_WITH_SLIDES_SOLVER + CAIRN_WITH_SMALL_SOLVER)
+#define CAIRN_SOLVER_COUNT (CAIRN_WITH_SOFT_SOLVER + CAIRN_WITH_SLIDES_SOLVER + CAIRN_WITH_SMALL_SOLVER)
 #if CAIRN_WITH_SOFT_SOLVER
 #define CAIRN_ONLY_SOLVER cairn_solver_soft
 #elif CAIRN_WITH_SLIDES_SOLVER
@@ -238,17 +239,17 @@ CAIRN_ALWAYS_INLINE cairn_wide cairn_world_inverse_substep(const cairn_world *wo
 #else
 #define CAIRN_ONLY_SOLVER cairn_solver_small
 #endif
-static inline const cairn_solver_class *cairn_world_solver(const cairn_world *world) { return CAIRN_HAS_SOLVERS > 1 ? world->solver : &CAIRN_ONLY_SOLVER; }
+static inline const cairn_solver_class *cairn_world_solver(const cairn_world *world) { return CAIRN_SOLVER_COUNT > 1 ? world->solver : &CAIRN_ONLY_SOLVER; }
 /* Has the build this one of them? */
 static inline bool cairn_solver_is_known(const cairn_solver_class *solver)
 {
     static const bool known[] = { CAIRN_WITH_SOFT_SOLVER, CAIRN_WITH_SLIDES_SOLVER, CAIRN_WITH_SMALL_SOLVER };
-    return CAIRN_HAS_SOLVERS > 1 ? (unsigned)solver->kind < sizeof known && known[solver->kind] : solver == &CAIRN_ONLY_SOLVER;
+    return CAIRN_SOLVER_COUNT > 1 ? (unsigned)solver->kind < sizeof known && known[solver->kind] : solver == &CAIRN_ONLY_SOLVER;
 }
 /* The soft solver has sub-steps, and what corrects its motion: contacts that hold and follow, rest, and bodies that go straight. */
 static inline bool cairn_world_is_soft(const cairn_world *world)
 {
-    return CAIRN_WITH_SOFT_SOLVER && (CAIRN_HAS_SOLVERS == 1 || world->solver->kind == CAIRN_SOLVER_SOFT);
+    return CAIRN_WITH_SOFT_SOLVER && (CAIRN_SOLVER_COUNT == 1 || world->solver->kind == CAIRN_SOLVER_SOFT);
 }
 /* Does the small solver run, which starts with the impulses of the step before, and not the slides'? */
 static inline bool cairn_world_starts_warm(const cairn_world *world)

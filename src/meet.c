@@ -220,7 +220,8 @@ MEET_APART void meet(cairn_world *world, cairn_arbiter *arbiter, uint16_t a, uin
     renew(world, arbiter, any_penetrates(&manifold));
     /* What sleeps wakes, if at all, before the next search. */
     if (!(CAIRN_WITH_SENSORS && (arbiter->flags & CAIRN_ARBITER_SENSOR)) && !(CAIRN_WITH_SLEEP && ((body_a->flags | body_b->flags) & CAIRN_BODY_ASLEEP))) {
-        if (CAIRN_WITH_SHORTCUTS && cairn_world_is_soft(world) && arbiter->friction_impulse == 0 && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
+        if (CAIRN_WITH_SHORTCUTS && cairn_world_is_soft(world) && arbiter->friction_impulse == 0
+            && !((body_a->flags | body_b->flags) & CAIRN_BODY_MET) && cairn_arbiter_idle(world, arbiter, CAIRN_PATH_FRESH)) {
             cairn_arbiter_take_turn(world, before, arbiter->path);
             return;
         }

@@ -375,7 +375,8 @@ static inline void finish(cairn_world *world, cairn_body *body)
             calm(world, body);
         }
     }
-    if (CAIRN_WITH_SOFT_SOLVER && (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW))) { /* the sweeps' own limit is a wider one */
+    if (CAIRN_WITH_SOFT_SOLVER /* whose sweeps have a wider limit of their own */
+        && (!CAIRN_WITH_SHORTCUTS || !cairn_motions_are_within(body->vx, body->vy, cairn_body_spin(body), CAIRN_SURELY_SLOW))) {
         cairn_body_limit_speed(world, body);
     }
     body->flags &= (uint16_t)~(CAIRN_ASKS_WHO_MET ? CAIRN_BODY_HELD | CAIRN_BODY_UNSTEADY | CAIRN_BODY_GRIPS | CAIRN_BODY_RESTLESS : CAIRN_BODY_HELD);

@@ -137,7 +137,8 @@ static cairn_offset until(cairn_motion v, const cairn_world *world, cairn_unit t
  */
 static bool passes_over(const cairn_world *world, const cairn_arbiter *arbiter, const cairn_body *b, const cairn_manifold *manifold)
 {
-    return cairn_world_is_soft(world) && CAIRN_WITH_SLOPES && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC && arbiter->block == 0
+    return cairn_world_is_soft(world) && CAIRN_WITH_SLOPES && arbiter->block == 0
+        && (arbiter->flags & (CAIRN_ARBITER_ON_STATIC | CAIRN_ARBITER_BOUNCY)) == CAIRN_ARBITER_ON_STATIC
         && (!CAIRN_WITH_CONTINUOUS || manifold->time == 0)
         && cairn_body_is_under_way(world, b);
 }

@@ -73,7 +73,7 @@ static void rescale(cairn_world *world, cairn_wide old)
 /* The classes and the settings of the start, as far as the build has others. */
 static void begin_with(cairn_world *world, const cairn_solver_class *solver, const cairn_continuous_class *continuous)
 {
-    if (CAIRN_HAS_SOLVERS > 1) {
+    if (CAIRN_SOLVER_COUNT > 1) {
         world->solver = solver;
     }
     if (CAIRN_WITH_CONTINUOUS) {

@@ -26,8 +26,8 @@ extern "C" {
  * cairn_world_init_with() takes &cairn_solver_slides or &cairn_solver_small too: 10 passes, 1 sub-step, a slop of 1 cm.
  *
  * Use one of them with this many passes, 1 to 100. Sets the sub-steps to 1, which these solvers have no more than, and the slop to 1 cm. Blocks are
- * given up. Errors: CAIRN_ERROR_NULL, CAIRN_ERROR_LOCKED, CAIRN_ERROR_RANGE, CAIRN_ERROR_KIND where the build has no such solver, or, with CAIRN_WITH_SETTINGS 0,
- * for other passes than 10.
+ * given up. Errors: CAIRN_ERROR_NULL, CAIRN_ERROR_LOCKED, CAIRN_ERROR_RANGE, CAIRN_ERROR_KIND where the build has no such solver, or,
+ * with CAIRN_WITH_SETTINGS 0, for other passes than 10.
  */
 cairn_status cairn_world_use_slides_solver(cairn_world *world, int passes);
 cairn_status cairn_world_use_small_solver(cairn_world *world, int passes);

@@ -1,20 +1,7 @@
 /* The least that boxes and polygons that turn, rub and bounce take (small_lean.h): it refuses what it lacks, and does the rest. */
-#include <cairn/quadtree.h>
-#include <cairn/sleep.h>
+# include "small_yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
-# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
-
-static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5)), crate = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1)), floor_shape = CAIRN_BOX(CAIRN_F(40), CAIRN_F(1));
-static const cairn_material rubber = CAIRN_MATERIAL_BOUNCING(0, 0, 0.5, 0);
-CAIRN_SPRINGS(coils, 2);
-CAIRN_QUADTREE(tree, 16, 16, 64);
-CAIRN_BLOCKS(blocks);
-
-void setUp(void)
-{
-    open_yard(CAIRN_F(-10));
-    put_static(&floor_shape, 0, CAIRN_F(-0.5));
-}
+void setUp(void) { open_floor(); }
 void tearDown(void) {}
 
 static void refuses(const yard_def *def)
@@ -29,10 +16,8 @@ void test_what_enables_a_feature_is_refused(void)
     ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_quadtree_enable(world, &tree, at(0, 0), 6, 6));
     ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_blocks_enable(world, &blocks));
     ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_sleep_enable(world));
-    ASSERT_REFUSED(CAIRN_ERROR_KIND, cairn_world_use_slides_solver(world, 10));
+    assert_other_solvers_are_refused();
     keep_yard();
-    TEST_ASSERT_NULL(cairn_world_init_with(&yard, at(0, 0), &cairn_solver_soft, NULL));
-    TEST_ASSERT_NULL(cairn_world_init_with(&yard, at(0, 0), &cairn_solver_slides, NULL));
     TEST_ASSERT_NULL(cairn_world_init_with(&yard, at(0, 0), &cairn_solver_small, &cairn_continuous));
     assert_yard_kept();
 }
@@ -74,18 +59,7 @@ void test_a_projectile_flies_its_parabola(void)
     ASSERT_NEAR_VEC2(4 * LSB, 3, 5, cairn_body_position(world, id));
 }
 
-void test_a_stack_stands(void)
-{
-    cairn_body_id ids[8];
-    for (int i = 0; i < 8; i++) {
-        ids[i] = put(&crate, CAIRN_F(0.05 * (i % 2)), CAIRN_F(0.5 + i));
-    }
-    run(900);
-    for (int i = 0; i < 8; i++) {
-        ASSERT_NEAR(0.03, 0.05 * (i % 2), x_of(ids[i]));
-        ASSERT_NEAR(0.08, 0.5 + i, y_of(ids[i]));
-    }
-}
+void test_a_stack_stands(void) { assert_a_stack_stands(); }
 
 void test_a_polygon_comes_to_rest_on_a_side(void)
 {

@@ -1,21 +1,21 @@
 /* The slides' scheme: what it does right, and where it falls short of the soft solver, which is why it is the baseline. */
 #include <cairn/solver.h>
 
-# include "../support/yard.h" /* the space keeps it out of the generated runner, which lies elsewhere */
+# include "../support/hard_solvers.h" /* the space keeps it out of the generated runner, which lies elsewhere */
 
 static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5));
 static const cairn_shape box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
-static const cairn_shape beam = CAIRN_BOX(CAIRN_F(2), CAIRN_F(0.2));
 static const cairn_shape ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1));
-static const cairn_shape peg = CAIRN_CIRCLE(CAIRN_F(0.05));
 static const cairn_material elastic = CAIRN_MATERIAL_BOUNCING(0, 0, 1, 0);
 CAIRN_SPRINGS(coils, 2);
 
-void setUp(void)
+static void open_slides(cairn_real gravity)
 {
-    open_yard(CAIRN_F(-10));
+    open_yard(gravity);
     ASSERT_OK(cairn_world_use_slides_solver(world, 10));
 }
+
+void setUp(void) { open_slides(CAIRN_F(-10)); }
 void tearDown(void) {}
 
 static void put_floor(void) { put_static(&ground, 0, CAIRN_F(-0.5)); }
@@ -77,8 +77,7 @@ void test_a_box_stands(void)
 
 void test_momentum_is_conserved(void)
 {
-    open_yard(0);
-    ASSERT_OK(cairn_world_use_slides_solver(world, 10));
+    open_slides(0);
     cairn_body_id a = put_moving(&box, CAIRN_F(-2), CAIRN_F(0.3), CAIRN_F(5), 0), b = put_moving(&box, CAIRN_F(2), 0, CAIRN_F(-1), CAIRN_F(0.5));
     run(120);
     ASSERT_NEAR(8 * LSB, 4, vx_of(a) + vx_of(b));
@@ -106,8 +105,7 @@ void test_friction_holds_below_the_kinetic_angle_and_slides_above(void)
 
 void test_overlapping_bodies_part(void)
 {
-    open_yard(0);
-    ASSERT_OK(cairn_world_use_slides_solver(world, 10));
+    open_slides(0);
     cairn_body_id a = put(&ball, 0, 0), b = put(&ball, CAIRN_F(0.7), 0);
     run(60);
     TEST_ASSERT_TRUE(x_of(b) - x_of(a) > CAIRN_F(0.98));
@@ -128,61 +126,11 @@ void test_an_elastic_ball_rebounds(void)
     ASSERT_NEAR(0.01, 1.5, top);
 }
 
-/* m g / k = 0.1 m */
-void test_a_spring_sags_by_the_weight_over_the_stiffness(void)
-{
-    ASSERT_OK(cairn_springs_enable(world, &coils));
-    cairn_body_id hook = put_static(&peg, 0, 0), load = put(&box, 0, CAIRN_F(-2));
-    cairn_spring_def def = cairn_spring_def_default(hook, load);
-    def.stiffness = cairn_wide_from_int(100);
-    def.damping = cairn_wide_from_int(10);
-    cairn_spring_id id = cairn_spring_create(world, &def);
-    run(300);
-    ASSERT_NEAR(0.001, 2.1, cairn_spring_length(world, id));
-}
+void test_a_spring_sags_by_the_weight_over_the_stiffness(void) { assert_a_spring_sags_by_the_weight_over_the_stiffness(&coils); }
 
-void test_sensors_report_and_do_not_push(void)
-{
-    yard_def def = def_at(&box, 0, CAIRN_F(-2));
-    def.type = CAIRN_STATIC;
-    def.sensor = true;
-    cairn_body_id sensor = make(&def), id = put(&ball, 0, 0);
-    run(40);
-    TEST_ASSERT_TRUE(are_touching(sensor, id));
-    run(20);
-    ASSERT_NEAR(2 * LSB, -5, y_of(id));
-}
+void test_sensors_report_and_do_not_push(void) { assert_sensors_report_and_do_not_push(); }
 
-/* (as in test_body.c) m u r = (I + m r^2) w */
-void test_a_ball_turns_a_flipper_by_the_law_of_angular_momentum(void)
-{
-    static const cairn_shape marble = CAIRN_CIRCLE(CAIRN_F(0.1));
-    static const cairn_material smooth = CAIRN_MATERIAL(0, 0);
-    open_yard(0);
-    ASSERT_OK(cairn_world_use_slides_solver(world, 10));
-    yard_def def = def_at(&beam, 0, 0);
-    def.fixed_position = true;
-    def.material = &smooth;
-    cairn_body_id pivot = make(&def);
-    def = def_at(&marble, CAIRN_F(0.8), CAIRN_F(0.199)); /* 1 mm deep already: within the allowed penetration */
-    def.material = &smooth;
-    def.velocity = at(0, CAIRN_F(-2));
-    cairn_body_id id = make(&def);
-    run(1);
-    ASSERT_NEAR(0.001 * 0.324770, -0.324770, spin_of(pivot));
-    ASSERT_NEAR(0.001 * 0.259816, -0.259816, vy_of(id));
-    ASSERT_NEAR_VEC2(0, 0, 0, cairn_body_position(world, pivot));
-    /* and the other way round: the pivot second in the pair */
-    open_yard(0);
-    ASSERT_OK(cairn_world_use_slides_solver(world, 10));
-    id = make(&def);
-    def = def_at(&beam, 0, 0);
-    def.fixed_position = true;
-    def.material = &smooth;
-    pivot = make(&def);
-    run(1);
-    ASSERT_NEAR(0.001 * 0.324770, -0.324770, spin_of(pivot));
-}
+void test_a_ball_turns_a_flipper_by_the_law_of_angular_momentum(void) { assert_a_ball_turns_a_flipper(open_slides); }
 
 /* ---- where it falls short ---- */
 
