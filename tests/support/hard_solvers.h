@@ -4,6 +4,19 @@
 
 #include "yard.h"
 
+/* A box of 1 m that lies on a static slope, which is made. */
+static inline yard_def def_on_slope(cairn_angle angle)
+{
+    static const cairn_shape ground = CAIRN_BOX(CAIRN_F(60), CAIRN_F(1)), box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));
+    cairn_unit c, s;
+    cairn_angle_rotation(angle, &c, &s);
+    yard_def slope = def_at(&ground, 0, 0), def = def_at(&box, -cairn_real_from_unit(s), cairn_real_from_unit(c));
+    slope.type = CAIRN_STATIC;
+    slope.angle = def.angle = angle;
+    make(&slope);
+    return def;
+}
+
 static inline void assert_sensors_report_and_do_not_push(void)
 {
     static const cairn_shape ball = CAIRN_CIRCLE(CAIRN_F(0.5)), box = CAIRN_BOX(CAIRN_F(1), CAIRN_F(1));

@@ -87,20 +87,13 @@ void test_momentum_is_conserved(void)
 
 void test_friction_holds_below_the_kinetic_angle_and_slides_above(void)
 {
-    cairn_unit c, s;
-    cairn_angle_rotation(CAIRN_DEGREES(15), &c, &s);
-    yard_def def = def_at(&ground, 0, 0);
-    def.type = CAIRN_STATIC;
-    def.angle = CAIRN_DEGREES(15);
-    make(&def);
-    def = def_at(&box, -cairn_real_from_unit(s), cairn_real_from_unit(c));
-    def.angle = CAIRN_DEGREES(15);
+    yard_def def = def_on_slope(CAIRN_DEGREES(15));
     cairn_body_id id = make(&def);
     run(120);
-    ASSERT_NEAR(0.05, 0, x_of(id) + cairn_real_from_unit(s));
+    ASSERT_NEAR(0.05, 0, x_of(id) - def.position.x);
     ASSERT_OK(set_material(id, &cairn_material_ice));
     run(60);
-    TEST_ASSERT_TRUE(x_of(id) < -cairn_real_from_unit(s) - CAIRN_F(0.3));
+    TEST_ASSERT_TRUE(x_of(id) < def.position.x - CAIRN_F(0.3));
 }
 
 void test_overlapping_bodies_part(void)

@@ -244,22 +244,15 @@ void test_an_elastic_ball_hands_its_velocity_on(void)
 
 void test_friction_holds_below_the_static_angle_and_slides_above(void)
 {
-    cairn_unit c, s;
-    cairn_angle_rotation(CAIRN_DEGREES(15), &c, &s);
-    yard_def def = def_at(&ground, 0, 0);
-    def.type = CAIRN_STATIC;
-    def.angle = CAIRN_DEGREES(15);
-    make(&def);
-    def = def_at(&box, -cairn_real_from_unit(s), cairn_real_from_unit(c));
-    def.angle = CAIRN_DEGREES(15);
+    yard_def def = def_on_slope(CAIRN_DEGREES(15));
     cairn_body_id id = make(&def);
     run(300);
-    ASSERT_NEAR(0.005, 0, x_of(id) + cairn_real_from_unit(s));
+    ASSERT_NEAR(0.005, 0, x_of(id) - def.position.x);
     ASSERT_OK(set_material(id, &smooth));
     ASSERT_OK(cairn_body_set_transform(world, id, def.position, def.angle));
     ASSERT_OK(cairn_body_set_velocity(world, id, at(0, 0)));
     run(60);
-    ASSERT_NEAR(0.003, -1.2708, x_of(id) + cairn_real_from_unit(s)); /* g sin 15 cos 15 / 2, and Euler's half step of it */
+    ASSERT_NEAR(0.003, -1.2708, x_of(id) - def.position.x); /* g sin 15 cos 15 / 2, and Euler's half step of it */
 }
 
 void test_kinetic_friction_slows_by_its_coefficient(void)
